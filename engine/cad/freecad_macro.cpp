@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "engine/cad/cad_notes.h"
 #include "engine/core/units.h"
 #include "engine/core/utf8.h"
 #include "engine/shaft/shaft_contour.h"
@@ -289,6 +290,7 @@ private:
 std::string freecadMacro(const Shaft& shaft)
 {
     checkShaft(shaft);
+    requireTurned(shaft);
     return Macro(shaft).text();
 }
 

@@ -12,7 +12,7 @@
 
 namespace lathelier::cad {
 
-/// Errors: those of checkShaft().
+/// Errors: those of checkShaft(); markNotMade.
 std::string freecadMacro(const Shaft& shaft);
 
 }  // namespace lathelier::cad

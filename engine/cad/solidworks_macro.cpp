@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/cad/cad_notes.h"
 #include "engine/shaft/shaft_contour.h"
 #include "engine/shaft/shaft_rules.h"
 
@@ -24,6 +25,7 @@ std::string point(const Vector2d& zr_mm)
 std::string solidworksMacro(const Shaft& shaft)
 {
     checkShaft(shaft);
+    requireTurned(shaft);
     Contour closed = closedContour(shaft);
     if ((closed.back().to_mm - closed.front().from_mm).norm() > 1e-9)
         closed.push_back({closed.back().to_mm, closed.front().from_mm, 0});

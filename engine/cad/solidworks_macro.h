@@ -8,7 +8,7 @@
 
 namespace lathelier::cad {
 
-/// Errors: those of checkShaft().
+/// Errors: those of checkShaft(); markNotMade.
 std::string solidworksMacro(const Shaft& shaft);
 
 }  // namespace lathelier::cad

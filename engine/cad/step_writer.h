@@ -27,8 +27,8 @@ struct StepOptions {
 };
 
 /// The file. The solid is checked before: valid, and its volume that of volume_mm3() to 1e-9. With a given time stamp
-/// the same shaft gives the same bytes. Texts may be any UTF-8. Errors: those of checkShaft(); solidNotBuilt,
-/// solidVolumeWrong. Throws Cancelled. About 20 ms.
+/// the same shaft gives the same bytes. Texts may be any UTF-8. Errors: those of checkShaft(); markNotMade,
+/// solidNotBuilt, solidVolumeWrong. Throws Cancelled. About 20 ms.
 std::string stepText(const Shaft& shaft, const StepOptions& options, const Progress& progress = {});
 
 /// A text as ISO 10303-21 writes it between quotes: quotes and backslashes doubled, other letters, and quotes

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "engine/features/features_codes.h"
+#include "engine/features/holes/bolt_circles.h"
+#include "engine/features/holes/cross_holes.h"
 #include "engine/features/marks/marks.h"
 #include "engine/features/nominal/snap.h"
 #include "engine/features/outline/ball_ends.h"
@@ -239,6 +241,18 @@ std::optional<Recognition> withoutSurroundings(const Scan& scan, const Recogniti
     }
 }
 
+/// Marks of the outside in the frame of the outline.
+std::vector<ShaftMark> marksOf(const Meridian& meridian, const PartFit& found, const Progress& progress)
+{
+    const StructureInput seen = found.seen(meridian.cloud);
+    const WallScan scan{meridian.cloud, found.outside.model, meridian.scanner, found.outside.surface_scan};
+    std::vector<ShaftMark> holes = crossHoles(scan, found.structure.map, found.surface, found.form_mm, progress);
+    const std::vector<ShaftMark> circles =
+        boltCircles(seenFaces(meridian.cloud, found.outside, seen.bore, progress), progress);
+    holes.insert(holes.end(), circles.begin(), circles.end());
+    return withHoles(findMarks(meridian.cloud, found.outside, seen.bore, meridian.scanner, progress), holes);
+}
+
 /// Recognises all points, or those that `parameters` keep, without `left_out`.
 Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress,
                           const LeftOut* left_out)
@@ -279,7 +293,7 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
     const double zero = found.zero_mm();
     takeOutside(found.outside, fit, added, result);
     if (found.bore) addSeenBores(*found.bore, zero, result.ends.back().z_mm, fit, added, result);
-    takeMarks(findMarks(meridian.cloud, found.outside, found.seen(meridian.cloud).bore, fitting), zero, result);
+    takeMarks(marksOf(meridian, found, fitting), zero, result);
     addBalls(found.outside, result);
     noteRoughZones(found.outside, result);
     describeStructure(found.seen(meridian.cloud), found.structure, zero, result, fitting);

@@ -32,9 +32,8 @@ std::string stepOf(const PartToWrite& part, const Progress& progress)
 
 std::string dxfOfPart(const PartToWrite& part, const Language& language)
 {
-    if (!part.cad.dxf_contour) return dxfText(dxfOf(part.drawing(language)));
     requireTurned(part.shaft);
-    return contourDxf(part.shaft);
+    return part.cad.dxf_contour ? contourDxf(part.shaft) : dxfText(dxfOf(part.drawing(language)));
 }
 
 }  // namespace

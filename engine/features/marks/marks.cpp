@@ -10,6 +10,7 @@
 #include "engine/features/marks/mark_limits.h"
 #include "engine/features/marks/off_regions.h"
 #include "engine/features/marks/periodic_mark.h"
+#include "engine/features/marks/slot.h"
 #include "engine/features/structure/mark_proof.h"
 
 namespace lathelier::features {
@@ -84,8 +85,10 @@ double widthOf_mm(const std::vector<FloorPoint>& floor)
 }
 
 /// The flat or keyway whose floor the points of a region prove.
-std::optional<ShaftMark> markOf(const MeridianCloud& cloud, const Model& model, const OffRegion& region)
+std::optional<ShaftMark> markOf(const WallScan& scan, const OffRegion& region, const Progress& progress)
 {
+    const MeridianCloud& cloud = scan.cloud;
+    const Model& model = scan.model;
     std::vector<Vector2d> places;
     std::vector<double> heights;
     double worst = 0;
@@ -126,6 +129,7 @@ std::optional<ShaftMark> markOf(const MeridianCloud& cloud, const Model& model, 
         case FloorShape::Neither: return std::nullopt;
     }
     mark.width_mm = width;
+    if (mark.kind == MarkKind::Keyway) measureSlot(scan, mark, progress);
     return mark;
 }
 
@@ -146,13 +150,14 @@ void dropTeeth(std::vector<ShaftMark>& marks)
 }  // namespace
 
 std::vector<ShaftMark> findMarks(const MeridianCloud& cloud, const Outline& outline, const Outline* bore,
-                                 const Progress& progress)
+                                 const std::optional<registration::ScannerAxis>& scanner, const Progress& progress)
 {
     const Model& model = outline.model;
+    const WallScan scan{cloud, model, scanner, outline.surface_scan};
     std::vector<ShaftMark> marks;
     for (const OffRegion& region : offRegions(cloud, model, bore)) {
         progress.check();
-        if (auto mark = markOf(cloud, model, region)) marks.push_back(*std::move(mark));
+        if (auto mark = markOf(scan, region, progress)) marks.push_back(*std::move(mark));
     }
     dropTeeth(marks);
     for (const RoughZone& zone : outline.rough) {

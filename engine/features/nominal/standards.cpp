@@ -35,6 +35,18 @@ constexpr std::array<CirclipGroove, 20> circlipGrooveTable{{
     {40, 37.5, 1.85}, {45, 42.5, 1.85}, {50, 47, 2.15},  {55, 52, 2.15},  {60, 57, 2.15},
 }};
 
+// DIN 6885-1:1968-08, table 1.
+constexpr std::array<ParallelKey, 19> parallelKeyTable{{
+    {6, 8, 2, 2, 1.2},      {8, 10, 3, 3, 1.8},     {10, 12, 4, 4, 2.5},    {12, 17, 5, 5, 3},
+    {17, 22, 6, 6, 3.5},    {22, 30, 8, 7, 4},      {30, 38, 10, 8, 5},     {38, 44, 12, 8, 5},
+    {44, 50, 14, 9, 5.5},   {50, 58, 16, 10, 6},    {58, 65, 18, 11, 7},    {65, 75, 20, 12, 7.5},
+    {75, 85, 22, 14, 9},    {85, 95, 25, 14, 9},    {95, 110, 28, 16, 10},  {110, 130, 32, 18, 11},
+    {130, 150, 36, 20, 12}, {150, 170, 40, 22, 13}, {170, 200, 45, 25, 15},
+}};
+constexpr std::array<double, 31> keyLengthTable_mm{6,   8,   10,  12,  14,  16,  18,  20,  22, 25, 28,
+                                                   32,  36,  40,  45,  50,  56,  63,  70,  80, 90, 100,
+                                                   110, 125, 140, 160, 180, 200, 220, 250, 280};
+
 // ISO 261:1998, table 2, coarse pitches.
 constexpr std::array<CoarseThread, 19> coarseThreadTable{{
     {3, 0.5},  {4, 0.7},  {5, 0.8}, {6, 1},  {8, 1.25}, {10, 1.5}, {12, 1.75}, {14, 2},   {16, 2}, {18, 2.5},
@@ -127,6 +139,16 @@ double faceExtent_mm(const Undercut& undercut)
 std::span<const CirclipGroove> circlipGrooves()
 {
     return circlipGrooveTable;
+}
+
+std::span<const ParallelKey> parallelKeys()
+{
+    return parallelKeyTable;
+}
+
+std::span<const double> keyLengths_mm()
+{
+    return keyLengthTable_mm;
 }
 
 std::span<const CoarseThread> coarseThreads()

@@ -37,6 +37,16 @@ struct CirclipGroove {
 };
 std::span<const CirclipGroove> circlipGrooves();
 
+/// A parallel key of DIN 6885-1:1968 and its slot in the shaft.
+struct ParallelKey {
+    double over_mm, to_mm;  ///< shaft diameters that it is meant for: ]over, to]
+    double width_mm;        ///< b
+    double height_mm;       ///< h
+    double slot_mm;         ///< t1, depth of the slot in the shaft
+};
+std::span<const ParallelKey> parallelKeys();
+std::span<const double> keyLengths_mm();  ///< of DIN 6885-1
+
 /// Nominal diameters and coarse pitches of ISO 261:1998.
 struct CoarseThread {
     double diameter_mm, pitch_mm;

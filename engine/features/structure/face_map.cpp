@@ -11,18 +11,16 @@
 namespace lathelier::features {
 namespace {
 
-/// A plane of the model with the ring that it shows.
-struct Face {
-    double z_mm = 0, inner_mm = 0, outer_mm = 0;
-};
-
-std::vector<Face> facesOf(const Outline& outside, const Outline* bore)
+std::vector<SeenFace> facesOf(const Outline& outside, const Outline* bore)
 {
     const Model& model = outside.model;
-    std::vector<Face> faces;
+    std::vector<SeenFace> faces;
     const auto add = [&](double z, double a, double b) {
-        const Face face{z, std::min(a, b) + faceThresholds.rim_mm, std::max(a, b) - faceThresholds.rim_mm};
-        if (face.outer_mm > face.inner_mm) faces.push_back(face);
+        SeenFace face;
+        face.z_mm = z;
+        face.inner_mm = std::min(a, b) + faceThresholds.rim_mm;
+        face.outer_mm = std::max(a, b) - faceThresholds.rim_mm;
+        if (face.outer_mm > face.inner_mm) faces.push_back(std::move(face));
     };
     const Run &first = model.runs.front(), &last = model.runs.back();
     if (outside.face_seen[0])
@@ -42,8 +40,9 @@ struct FaceGrid {
     double mean = 0;            ///< of the cells within
 };
 
-std::optional<FaceGrid> gridOf(const std::vector<Eigen::Vector2d>& places, const Face& face)
+std::optional<FaceGrid> gridOf(const SeenFace& face)
 {
+    const std::vector<Eigen::Vector2d>& places = face.places_mm;
     const double area = turn_rad / 2 * (face.outer_mm * face.outer_mm - face.inner_mm * face.inner_mm);
     const double density = static_cast<double>(places.size()) / area;
     FaceGrid grid;
@@ -76,7 +75,8 @@ std::optional<FaceGrid> gridOf(const std::vector<Eigen::Vector2d>& places, const
     return grid;
 }
 
-std::optional<UnexplainedStructure> holesOf(const FaceGrid& grid, const Face& face)
+/// Round places without points; none where the face is seen in patches only.
+std::vector<FaceHole> holesOn(const FaceGrid& grid, const SeenFace& face)
 {
     std::vector<std::uint8_t> empty(grid.points.size(), 0);
     double cells = 0, others = 0;
@@ -85,45 +85,78 @@ std::optional<UnexplainedStructure> holesOf(const FaceGrid& grid, const Face& fa
         cells += 1;
         empty[c] = static_cast<double>(grid.points[c]) <= faceThresholds.empty_share * grid.mean ? 1 : 0;
     }
-    UnexplainedStructure found;
-    found.kind = StructureKind::NoPoints;
-    found.z_start_mm = found.z_end_mm = face.z_mm;
-    found.places = 0;
+    std::vector<FaceHole> holes;
     const double cell_mm2 = grid.cell_mm * grid.cell_mm;
     for (const std::vector<std::size_t>& region : connectedRegions(empty, grid.side, false)) {
         const RegionBox box = boxOf(region, grid.side, false);
         const double area = static_cast<double>(region.size()) * cell_mm2;
-        if (area >= faceThresholds.least_hole_mm2 &&
-            isRound(region, box, grid.cell_mm, grid.cell_mm, faceThresholds.most_aspect, faceThresholds.most_fill)) {
-            ++found.places;
-            found.area_mm2 += area;
-        } else {
+        if (area < faceThresholds.least_hole_mm2 ||
+            !isRound(region, box, grid.cell_mm, grid.cell_mm, faceThresholds.most_aspect, faceThresholds.most_fill)) {
             others += static_cast<double>(region.size());
+            continue;
         }
+        const auto middle = [&](std::size_t first, std::size_t last) {
+            return static_cast<double>(first + last + 1) / 2 * grid.cell_mm - face.outer_mm;
+        };
+        holes.push_back({middle(box.first_column, box.last_column), middle(box.first_row, box.last_row), area});
     }
-    if (found.places == 0 || others > faceThresholds.most_missing * cells) return std::nullopt;
-    return found;
+    if (others > faceThresholds.most_missing * cells) holes.clear();
+    return holes;
+}
+
+bool isBolt(const FaceHole& hole, double z_mm, const std::vector<ShaftMark>& marks)
+{
+    return std::any_of(marks.begin(), marks.end(), [&](const ShaftMark& mark) {
+        if (mark.kind != MarkKind::BoltCircle || !mark.diameter_mm || !mark.pitch_circle_mm || !mark.count)
+            return false;
+        const double near_mm = *mark.diameter_mm / 2, radius_mm = *mark.pitch_circle_mm / 2;
+        if (std::min(std::abs(z_mm - *mark.z_start_mm), std::abs(z_mm - *mark.z_end_mm)) > faceThresholds.rim_mm)
+            return false;
+        const double off_rad = std::remainder(
+            std::atan2(hole.y_mm, hole.x_mm) - mark.angle_deg.value_or(0) / deg_per_rad, turn_rad / *mark.count);
+        return std::abs(std::hypot(hole.x_mm, hole.y_mm) - radius_mm) < near_mm &&
+               radius_mm * std::abs(off_rad) < near_mm;
+    });
 }
 
 }  // namespace
 
-std::vector<UnexplainedStructure> holesInFaces(const MeridianCloud& cloud, const Outline& outside, const Outline* bore,
-                                               const Progress& progress)
+std::vector<SeenFace> seenFaces(const MeridianCloud& cloud, const Outline& outside, const Outline* bore,
+                                const Progress& progress)
 {
-    std::vector<UnexplainedStructure> all;
-    if (!outside.surface_scan) return all;
+    std::vector<SeenFace> seen;
+    if (!outside.surface_scan) return seen;
     const double near = faceThresholds.near_sigmas * outside.model.sigma_mm + faceThresholds.near_mm;
-    for (const Face& face : facesOf(outside, bore)) {
+    for (SeenFace& face : facesOf(outside, bore)) {
         progress.check();
-        std::vector<Eigen::Vector2d> places;
         for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
             const auto z = static_cast<double>(cloud.z_mm[i]), r = static_cast<double>(cloud.r_mm[i]);
             if (std::abs(z - face.z_mm) > near || r < face.inner_mm || r > face.outer_mm) continue;
             const double angle = turn_rad * static_cast<double>(cloud.turn[i]);
-            places.emplace_back(r * std::cos(angle), r * std::sin(angle));
+            face.places_mm.emplace_back(r * std::cos(angle), r * std::sin(angle));
         }
-        if (const auto grid = gridOf(places, face))
-            if (const auto holes = holesOf(*grid, face)) all.push_back(*holes);
+        const std::optional<FaceGrid> grid = gridOf(face);
+        if (!grid) continue;
+        face.holes = holesOn(*grid, face);
+        seen.push_back(std::move(face));
+    }
+    return seen;
+}
+
+std::vector<UnexplainedStructure> holesInFaces(const std::vector<SeenFace>& faces, const std::vector<ShaftMark>& marks)
+{
+    std::vector<UnexplainedStructure> all;
+    for (const SeenFace& face : faces) {
+        UnexplainedStructure found;
+        found.kind = StructureKind::NoPoints;
+        found.z_start_mm = found.z_end_mm = face.z_mm;
+        found.places = 0;
+        for (const FaceHole& hole : face.holes) {
+            if (isBolt(hole, face.z_mm, marks)) continue;
+            ++found.places;
+            found.area_mm2 += hole.area_mm2;
+        }
+        if (found.places > 0) all.push_back(found);
     }
     return all;
 }

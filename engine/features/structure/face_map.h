@@ -1,6 +1,7 @@
 // Holes in the faces across the axis: round places without points on a face that is seen.
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "engine/core/progress.h"
@@ -25,8 +26,24 @@ struct FaceThresholds {
 };
 inline constexpr FaceThresholds faceThresholds{};
 
-/// Holes by face, in order of z, in the frame of the outline: kind NoPoints, z of the face. Throws Cancelled.
-std::vector<UnexplainedStructure> holesInFaces(const MeridianCloud& cloud, const Outline& outside, const Outline* bore,
-                                               const Progress& progress = {});
+/// A round place without points on a face.
+struct FaceHole {
+    double x_mm = 0, y_mm = 0;  ///< its middle across the axis
+    double area_mm2 = 0;
+};
+
+/// A plane of the model with the ring of it that is judged.
+struct SeenFace {
+    double z_mm = 0, inner_mm = 0, outer_mm = 0;
+    std::vector<Eigen::Vector2d> places_mm;  ///< of its points
+    std::vector<FaceHole> holes;
+};
+
+/// Faces of a surface scan that are seen, in order of z, in the frame of the outline. Throws Cancelled.
+std::vector<SeenFace> seenFaces(const MeridianCloud& cloud, const Outline& outside, const Outline* bore,
+                                const Progress& progress = {});
+
+/// Holes by face that no mark of kind BoltCircle names: kind NoPoints, z of the face.
+std::vector<UnexplainedStructure> holesInFaces(const std::vector<SeenFace>& faces, const std::vector<ShaftMark>& marks);
 
 }  // namespace lathelier::features

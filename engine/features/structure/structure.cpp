@@ -177,7 +177,8 @@ void describeStructure(const StructureInput& input, const PartStructure& structu
     }
     result.unexplained =
         unexplainedOutside(structure.map, input.surface, input.outside, marks, input.form_mm, progress);
-    const std::vector<UnexplainedStructure> faces = holesInFaces(input.cloud, input.outside, input.bore, progress);
+    const std::vector<UnexplainedStructure> faces =
+        holesInFaces(seenFaces(input.cloud, input.outside, input.bore, progress), marks);
     result.unexplained.insert(result.unexplained.end(), faces.begin(), faces.end());
     for (UnexplainedStructure& one : result.unexplained) {
         one.z_start_mm -= zero_mm;

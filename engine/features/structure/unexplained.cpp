@@ -4,89 +4,53 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/core/statistics.h"
 #include "engine/core/units.h"
+#include "engine/features/structure/map_cells.h"
 #include "engine/features/structure/map_regions.h"
 
 namespace lathelier::features {
 namespace {
 
-/// Means of the cells about the median of their ring; NaN where too few points are.
-struct CellMeans {
-    std::vector<float> mean_mm;
-    double scatter = 1;  ///< robust standard deviation of mean·√n, over σ; 1 for white noise
+/// Where a cell lies, and where its points do.
+struct CellPlace {
+    double z_mm = 0, angle_rad = 0;
+    double wall_mm = 1;    ///< radius of the wall
+    double points_mm = 1;  ///< of the points on another surface, where they are most of the cell; else that of the wall
 };
 
-CellMeans cellMeans(const ResidualMap& map)
+CellPlace placeOf(const ResidualMap& map, const SurfaceTable& surface, std::size_t c)
 {
-    CellMeans means;
-    means.mean_mm.assign(map.cells.size(), std::numeric_limits<float>::quiet_NaN());
-    std::vector<float> ring, weighted;
-    for (std::size_t row = 0; row < map.rows; ++row) {
-        ring.clear();
-        for (std::size_t s = 0; s < mapSectors; ++s) {
-            const MapCell& cell = map.at(row, s);
-            if (cell.on < structureThresholds.least_points) continue;
-            ring.push_back(means.mean_mm[row * mapSectors + s] = cell.sum_mm / static_cast<float>(cell.on));
-        }
-        const float middle = upperMedianInPlace(ring);
-        for (std::size_t s = 0; s < mapSectors; ++s) {
-            float& mean = means.mean_mm[row * mapSectors + s];
-            if (std::isnan(mean)) continue;
-            mean -= middle;
-            weighted.push_back(std::abs(mean) * std::sqrt(static_cast<float>(map.at(row, s).on)));
-        }
-    }
-    const double sigma = std::max(map.sigma_mm, 1e-6);
-    if (!weighted.empty())
-        means.scatter = std::max(1.0, madToSigma * static_cast<double>(upperMedianInPlace(weighted)) / sigma);
-    return means;
+    const MapCell& cell = map.cells[c];
+    CellPlace place;
+    place.z_mm = map.middle_mm(c / mapSectors);
+    place.angle_rad = turn_rad * (static_cast<double>(c % mapSectors) + 0.5) / mapSectors;
+    place.wall_mm = place.points_mm = std::max(1e-3, static_cast<double>(surface.at(place.z_mm).radius_mm));
+    if (cell.far > cell.on) place.points_mm += static_cast<double>(cell.far_sum_mm / static_cast<float>(cell.far));
+    return place;
 }
 
-/// Cells where most points lie on another surface, or the mean is off by more than noise and form.
-std::vector<std::uint8_t> offCells(const ResidualMap& map, const CellMeans& means, double form_mm)
+/// Does a hole across the axis cover the place, or hold its points? Near the axis these have any direction.
+bool isInHole(const ShaftMark& hole, const CellPlace& place)
 {
-    std::vector<std::uint8_t> off(map.cells.size(), 0);
-    for (std::size_t c = 0; c < off.size(); ++c) {
-        const MapCell& cell = map.cells[c];
-        const bool is_far = cell.far >= structureThresholds.least_far && cell.far > cell.on;
-        const double mean = std::abs(static_cast<double>(means.mean_mm[c]));
-        const double noise = means.scatter * map.sigma_mm / std::sqrt(std::max(1.0, static_cast<double>(cell.on)));
-        off[c] = is_far || (mean > form_mm && mean > structureThresholds.sigmas * noise) ? 1 : 0;  // false for NaN
-    }
-    return off;
+    const double off_rad = place.angle_rad - *hole.angle_deg / deg_per_rad, half_mm = *hole.diameter_mm / 2;
+    if (std::abs(place.points_mm * std::sin(off_rad)) < half_mm && place.points_mm < place.wall_mm) return true;
+    const double period_rad = hole.through.value_or(0) > 0 ? turn_rad / 2 : turn_rad;
+    const double half_rad =
+        std::asin(std::min(1.0, half_mm / place.wall_mm)) + structureThresholds.beside_mark_mm / place.wall_mm;
+    return std::abs(std::remainder(off_rad, period_rad)) < half_rad;
 }
 
-/// Cells that hold hardly any points where their ring does; a window of three mapSectors bridges the pitch of the rays.
-std::vector<std::uint8_t> emptyCells(const ResidualMap& map)
-{
-    std::vector<std::uint8_t> empty(map.cells.size(), 0);
-    std::vector<float> window(mapSectors), sorted;
-    for (std::size_t row = 0; row < map.rows; ++row) {
-        const auto points = [&](std::size_t s) {
-            const MapCell& cell = map.at(row, s % mapSectors);
-            return static_cast<float>(cell.on + cell.far);
-        };
-        for (std::size_t s = 0; s < mapSectors; ++s) window[s] = points(s + mapSectors - 1) + points(s) + points(s + 1);
-        sorted = window;
-        const float usual = upperMedianInPlace(sorted);
-        if (usual < structureThresholds.least_usual) continue;
-        for (std::size_t s = 0; s < mapSectors; ++s)
-            empty[row * mapSectors + s] = window[s] <= structureThresholds.empty_share * usual ? 1 : 0;
-    }
-    return empty;
-}
-
-/// Does a named mark cover the place? Angles as shares of a turn.
-bool isNamed(const std::vector<ShaftMark>& marks, double z_mm, double turn, double radius_mm)
+/// Does a named mark cover the place?
+bool isNamed(const std::vector<ShaftMark>& marks, const CellPlace& place)
 {
     return std::any_of(marks.begin(), marks.end(), [&](const ShaftMark& mark) {
-        if (!mark.z_start_mm || !mark.z_end_mm) return false;
+        if (!mark.z_start_mm || !mark.z_end_mm || mark.kind == MarkKind::BoltCircle) return false;
         const double rim = structureThresholds.beside_mark_mm;
-        if (z_mm < *mark.z_start_mm - rim || z_mm > *mark.z_end_mm + rim) return false;
+        if (place.z_mm < *mark.z_start_mm - rim || place.z_mm > *mark.z_end_mm + rim) return false;
+        if (mark.kind == MarkKind::CrossHole) return isInHole(mark, place);
         if (!mark.angle_deg || !mark.width_mm) return true;
-        const double half = std::asin(std::min(1.0, *mark.width_mm / (2 * radius_mm))) + rim / radius_mm;
-        return std::abs(std::remainder(turn * turn_rad - *mark.angle_deg / deg_per_rad, turn_rad)) < half;
+        const double half = std::asin(std::min(1.0, *mark.width_mm / (2 * place.wall_mm))) + rim / place.wall_mm;
+        return std::abs(std::remainder(place.angle_rad - *mark.angle_deg / deg_per_rad, turn_rad)) < half;
     });
 }
 
@@ -125,10 +89,8 @@ bool isNamed(const std::vector<ShaftMark>& marks, const ResidualMap& map, const 
              const std::vector<std::size_t>& region)
 {
     std::size_t named = 0;
-    for (const std::size_t c : region) {
-        const double z = map.middle_mm(c / mapSectors), turn = (static_cast<double>(c % mapSectors) + 0.5) / mapSectors;
-        if (isNamed(marks, z, turn, std::max(1e-3, static_cast<double>(surface.at(z).radius_mm)))) ++named;
-    }
+    for (const std::size_t c : region)
+        if (isNamed(marks, placeOf(map, surface, c))) ++named;
     return 2 * named > region.size();
 }
 
@@ -209,7 +171,7 @@ std::vector<UnexplainedStructure> unexplainedOutside(const ResidualMap& map, con
                                                      double form_mm, const Progress& progress)
 {
     std::vector<UnexplainedStructure> all;
-    const std::vector<std::uint8_t> off = offCells(map, cellMeans(map), form_mm);
+    const std::vector<std::uint8_t> off = offCells(map, form_mm);
     for (const std::vector<std::size_t>& region : connectedRegions(off, mapSectors, true)) {
         progress.check();
         if (region.size() < structureThresholds.least_cells || isNamed(marks, map, surface, region)) continue;

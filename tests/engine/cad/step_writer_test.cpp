@@ -123,5 +123,21 @@ TEST(CadNotes, MarksAndArcsBeyondTheAxis)
     EXPECT_TRUE(cadNotes(shaft).empty());
 }
 
+TEST(CadNotes, HolesAreRefusedByName)
+{
+    for (const MarkKind kind : {MarkKind::CrossHole, MarkKind::BoltCircle}) {
+        Shaft shaft = tableOne();
+        shaft.marks = {{MarkKind::Keyway}, {kind}};
+        shaft.marks[1].diameter_mm = 6;
+        try {
+            stepText(shaft, fixedTime());
+            FAIL() << key(kind);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), errors::markNotMade);
+            EXPECT_EQ(std::get<double>(*find(error.values(), "diameter_mm")), 6);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace lathelier::cad

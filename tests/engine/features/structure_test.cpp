@@ -148,55 +148,6 @@ TEST(Structure, AFlatOverACollarMovesNoShoulder)
     }
 }
 
-TEST(Structure, AHoleOfAFewCellsIsSeen)
-{
-    const Recognition result = recognized([](const AroundPoint& p) -> std::optional<double> {
-        const double across = p.r_mm * std::remainder(p.angle_rad - 0.7, 2 * pi);
-        if (std::hypot(p.z_mm - 20.3, across) < 2.5) return std::nullopt;
-        return p.r_mm;
-    });
-    expectNothingInvented(result);
-    const UnexplainedStructure* const found = structureAt(result, 20);
-    ASSERT_TRUE(found);
-    EXPECT_EQ(found->kind, StructureKind::NoPoints);
-    EXPECT_EQ(found->places, 1);
-}
-
-TEST(Structure, ACrossHoleIsSeen)
-{
-    const Recognition result = recognized([](const AroundPoint& p) -> std::optional<double> {
-        const double across = p.r_mm * std::sin(p.angle_rad - 0.7);
-        if (std::hypot(p.z_mm - 20, across) < 3) return std::nullopt;
-        return p.r_mm;
-    });
-    expectNothingInvented(result);
-    const UnexplainedStructure* const found = structureAt(result, 20);
-    ASSERT_TRUE(found);
-    EXPECT_EQ(found->kind, StructureKind::NoPoints);
-    EXPECT_EQ(found->places, 2);
-    EXPECT_TRUE(contains(result.notes, notes::unexplainedHole));
-    EXPECT_LT(errorOverU(result, 30, 25), 2);
-}
-
-/// The few points of a floor at the axis lie all around it, like a wall of hardly any radius.
-TEST(Structure, ABlindHoleWhoseFloorIsAtTheAxisIsSeen)
-{
-    const sample::ScannerModel scanner = coarser(3);
-    Scan scan = shapedScan(collarPart(), scanner, [](const AroundPoint& p) -> std::optional<double> {
-        const double across = p.r_mm * std::remainder(p.angle_rad - 0.7, 2 * pi);
-        return std::hypot(p.z_mm - 20, across) > 3 ? std::optional(p.r_mm) : std::nullopt;
-    });
-    for (std::uint64_t i = 0; i < 160; ++i)
-        scan.points_mm.push_back(scanner.scan_T_part * Eigen::Vector3d(0.03 * randomNormal(5, 0, i),
-                                                                       0.34 * (2 * randomUniform(5, 1, i) - 1),
-                                                                       17.2 + 0.15 * static_cast<double>(i / 4)));
-    const Recognition result = recognize(scan, {});
-    expectNothingInvented(result);
-    EXPECT_TRUE(std::any_of(result.unexplained.begin(), result.unexplained.end(), [](const UnexplainedStructure& one) {
-        return one.kind == StructureKind::NoPoints && one.z_start_mm < 20 && one.z_end_mm > 20;
-    }));
-}
-
 /// Cells of parts longer than 5 m are longer than 1 mm.
 TEST(Structure, RowsOfTheMapFollowItsCells)
 {

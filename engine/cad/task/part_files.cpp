@@ -132,21 +132,15 @@ std::map<std::string, task::WriteExport> partWriters(const std::shared_ptr<const
             io::writeFile(path, content(language, progress));
         };
     };
-    const auto solid = [part, whole](const std::function<std::string(const Progress&)>& content) {
-        return whole([part, content](const Language&, const Progress& progress) {
-            requireTurned(part->shaft);
-            return content(progress);
-        });
-    };
     std::map<std::string, task::WriteExport> all;
     all[shaftExport] = [part](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, io::shaftText(part->shaft));
     };
     all[stockExport] = whole([part](const Language&, const Progress&) { return io::stockText(part->stock); });
-    all[stepExport] = solid([part](const Progress& progress) { return stepOf(*part, progress); });
+    all[stepExport] = whole([part](const Language&, const Progress& progress) { return stepOf(*part, progress); });
     all[dxfExport] = whole([part](const Language& language, const Progress&) { return dxfOfPart(*part, language); });
-    all[freecadExport] = solid([part](const Progress&) { return freecadMacro(part->shaft); });
-    all[solidworksExport] = solid([part](const Progress&) { return solidworksMacro(part->shaft); });
+    all[freecadExport] = whole([part](const Language&, const Progress&) { return freecadMacro(part->shaft); });
+    all[solidworksExport] = whole([part](const Language&, const Progress&) { return solidworksMacro(part->shaft); });
     all[tableExport] =
         whole([part](const Language&, const Progress&) { return part->csv ? part->csv() : shaftCsv(part->shaft); });
     all[drawingExport] =

@@ -14,13 +14,14 @@ namespace {
 
 /// Limits of the rim of a slot; chosen on scans with known truth.
 struct SlotLimits {
-    double beside_mm = 2;                              ///< of the slot, on all sides of a window
+    double beside_mm = 2, before_mm = 4;               ///< of the slot across and along it: the window
     double least_half_rad = 0.1, most_half_rad = 1.3;  ///< of a window about the axis
     double form_mm = 0.09;        ///< standard uncertainty of the width beside that of the rays: each edge is broken or
                                   ///< burred by up to 0.1 mm
     double end_gain = 8;          ///< log-likelihood by which a straight end must exceed a round one
     double most_change_mm = 2.5;  ///< of the width against the one that the floor gives
     double least_length = 1.25;   ///< times the width: shorter ones are no slots
+    double shaft_mm = 0.1;        ///< by which a worn or measured shaft may exceed the range of a key
     double length_tolerance_mm = 0.3;  ///< of a slot for a key, DIN 6885-1: +0.3 over 28 mm
 };
 constexpr SlotLimits slotLimits{};
@@ -49,7 +50,7 @@ bool measureSlot(const WallScan& scan, ShaftMark& mark, const Progress& progress
     const double half_rad = scan.surface_scan ? std::asin(std::min(0.95, *mark.width_mm / (2 * radius)))
                                               : std::atan(*mark.width_mm / (2 * floor));
     const double half = radius * std::sin(half_rad);
-    WallWindow window{*mark.z_start_mm - slotLimits.beside_mm, *mark.z_end_mm + slotLimits.beside_mm,
+    WallWindow window{*mark.z_start_mm - slotLimits.before_mm, *mark.z_end_mm + slotLimits.before_mm,
                       *mark.angle_deg / deg_per_rad, 0};
     window.half_rad =
         std::clamp(half_rad + slotLimits.beside_mm / radius, slotLimits.least_half_rad, slotLimits.most_half_rad);
@@ -80,7 +81,7 @@ std::string keyOf(const ShaftMark& slot, double shaft_mm, bool round_ends)
     if (!round_ends || !slot.width_mm || !slot.uncertainty_mm) return {};
     const double length = *slot.z_end_mm - *slot.z_start_mm;
     for (const ParallelKey& key : parallelKeys()) {
-        if (!(shaft_mm > key.over_mm && shaft_mm <= key.to_mm)) continue;
+        if (shaft_mm < key.over_mm || shaft_mm > key.to_mm + slotLimits.shaft_mm) continue;
         if (std::abs(*slot.width_mm - key.width_mm) > *slot.uncertainty_mm) continue;
         std::string name = fmt::format("DIN 6885 - A {:g}×{:g}", key.width_mm, key.height_mm);
         for (const double standard_mm : keyLengths_mm())

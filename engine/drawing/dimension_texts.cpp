@@ -57,14 +57,15 @@ std::string nominalSize(double size_mm, const std::optional<SizeTolerance>& tole
     if (!tolerance) return text;
     const bool has_limits = tolerance->lower_um && tolerance->upper_um;
     const double lower = tolerance->lower_um.value_or(0), upper = tolerance->upper_um.value_or(0);
+    const bool symmetric = upper > 0 && std::abs(lower + upper) < 1e-9;
+    const std::string limits = symmetric ? "±" + shortNumber(upper / 1000, 4, separator)
+                                         : deviation(upper, separator) + "/" + deviation(lower, separator);
     if (!tolerance->iso_class.empty()) {
         text += " " + tolerance->iso_class;
         if (!has_limits) return text;
-        return text + " (" + deviation(upper, separator) + "/" + deviation(lower, separator) + ")";
+        return text + " (" + limits + ")";
     }
-    if (!has_limits) return text;
-    if (upper > 0 && std::abs(lower + upper) < 1e-9) return text + " ±" + shortNumber(upper / 1000, 4, separator);
-    return text + " " + deviation(upper, separator) + "/" + deviation(lower, separator);
+    return has_limits ? text + " " + limits : text;
 }
 
 std::string measuredSize(double size_mm, const std::optional<double>& uncertainty_um, const std::string& separator)

@@ -25,7 +25,8 @@ std::string shortNumber(double value, int decimals, const std::string& separator
 /// Three significant digits: a mass, the x of a taper 1:x.
 std::string roundedNumber(double value, const std::string& separator);
 
-/// A nominal size with its tolerance: "30 h6", "25 k5 (+0.011/+0.002)", "30 ±0.01", "30 +0.02/−0.01".
+/// A nominal size with its tolerance: "30 h6", "25 k5 (+0.011/+0.002)", "25 js5 (±0.0045)", "30 ±0.01", "30
+/// +0.02/−0.01".
 std::string nominalSize(double size_mm, const std::optional<SizeTolerance>& tolerance, const std::string& separator);
 
 /// A measured size: "29.998 ±0.004"; U to 0.001 mm below 0.1, to 0.01 below 1, else to 0.1, and never as 0.

@@ -135,6 +135,8 @@ bool hasMeasured(const Shaft& shaft, const DrawingOptions& options)
     const auto isMeasured = [](const auto& row) { return row.measured.has_value(); };
     return options.measured || !shaft.recovered.scan.empty() ||
            std::any_of(shaft.segments.begin(), shaft.segments.end(), isMeasured) ||
+           std::any_of(shaft.marks.begin(), shaft.marks.end(),
+                       [](const ShaftMark& mark) { return mark.uncertainty_mm.has_value(); }) ||
            std::any_of(shaft.bores.begin(), shaft.bores.end(), [&](const ShaftBore& bore) {
                return std::any_of(bore.segments.begin(), bore.segments.end(), isMeasured);
            });

@@ -42,10 +42,9 @@ void addSteps(RecognizeOutcome& outcome)
     outcome.beside = rowsBesideSteps(outcome.shaft);
 }
 
-RecoveredFrom recoveredFrom(const RecognizeOutcome& outcome)
+RecoveredFrom recoveredFrom(const InputFile& scan, const features::Recognition& result)
 {
-    const InputFile& scan = outcome.sources.inputs.front();
-    return {std::filesystem::path(scan.path).filename().string(), scan.sha256, outcome.result->method_used};
+    return {std::filesystem::path(scan.path).filename().string(), scan.sha256, result.method_used};
 }
 
 Json jsonOf(const RecognizeOutcome& outcome)
@@ -160,7 +159,7 @@ RecognizeOutcome answerRecognize(const project::PanelState& state, Stores& store
                                });
     outcome.accepted = features::acceptedSizes(question.accepted);
     outcome.shaft = withAccepted(*outcome.result, outcome.accepted);
-    outcome.shaft.recovered = recoveredFrom(outcome);
+    outcome.shaft.recovered = recoveredFrom(sources.inputs.front(), *outcome.result);
     addTitle(question.title, outcome.shaft, sources.notes);
     if (outcome.shaft.name.empty()) outcome.shaft.name = std::filesystem::path(source.path).stem().string();
     addSteps(outcome);

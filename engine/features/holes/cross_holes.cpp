@@ -79,7 +79,10 @@ std::vector<WallHole> wallHoles(const WallScan& scan, const ResidualMap& map, co
 {
     std::vector<WallHole> holes;
     std::size_t patches = 0;
-    for (const std::vector<std::size_t>& region : connectedRegions(missingCells(map, form_mm), mapSectors, true)) {
+    std::vector<std::vector<std::size_t>> regions = connectedRegions(missingCells(map, form_mm), mapSectors, true);
+    std::erase_if(regions, [](const auto& region) { return region.size() < holeLimits.least_cells; });
+    if (regions.size() > holeLimits.most_regions) return holes;
+    for (const std::vector<std::size_t>& region : regions) {
         progress.check();
         if (const auto hole = holeIn(scan, map, surface, region, progress))
             holes.push_back(*hole);
@@ -195,16 +198,25 @@ std::vector<ShaftMark> crossHoles(const WallScan& scan, const ResidualMap& map, 
     return marks;
 }
 
-std::vector<ShaftMark> withHoles(std::vector<ShaftMark> marks, const std::vector<ShaftMark>& holes)
+std::vector<ShaftMark> withHoles(std::vector<ShaftMark> marks, std::vector<ShaftMark> holes)
 {
+    const auto isKeywayAt = [](const ShaftMark& mark, const ShaftMark& hole) {
+        if (mark.kind != MarkKind::Keyway || hole.kind != MarkKind::CrossHole) return false;
+        const double apart_deg = std::abs(std::remainder(*mark.angle_deg - *hole.angle_deg, 360));
+        const double along_mm = std::min(*mark.z_end_mm, *hole.z_end_mm) - std::max(*mark.z_start_mm, *hole.z_start_mm);
+        return (apart_deg < holeLimits.same_deg ||
+                (hole.through.value_or(0) > 0 && apart_deg > 180 - holeLimits.same_deg)) &&
+               along_mm > *hole.diameter_mm / 2;
+    };
+    const auto isLong = [](const ShaftMark& slot, const ShaftMark& hole) {
+        return *slot.z_end_mm - *slot.z_start_mm > holeLimits.slot_length * *hole.diameter_mm;
+    };
+    std::erase_if(holes, [&](const ShaftMark& hole) {
+        return std::any_of(marks.begin(), marks.end(),
+                           [&](const ShaftMark& mark) { return isKeywayAt(mark, hole) && isLong(mark, hole); });
+    });
     std::erase_if(marks, [&](const ShaftMark& mark) {
-        return mark.kind == MarkKind::Keyway && std::any_of(holes.begin(), holes.end(), [&](const ShaftMark& hole) {
-                   if (hole.kind != MarkKind::CrossHole) return false;
-                   const double middle = (*mark.z_start_mm + *mark.z_end_mm) / 2;
-                   const double apart_deg = std::abs(std::remainder(*mark.angle_deg - *hole.angle_deg, 360));
-                   const bool is_there = apart_deg < 10 || (hole.through.value_or(0) > 0 && apart_deg > 170);
-                   return is_there && middle > *hole.z_start_mm && middle < *hole.z_end_mm;
-               });
+        return std::any_of(holes.begin(), holes.end(), [&](const ShaftMark& hole) { return isKeywayAt(mark, hole); });
     });
     marks.insert(marks.end(), holes.begin(), holes.end());
     std::stable_sort(marks.begin(), marks.end(), startsBefore);

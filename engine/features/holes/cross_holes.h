@@ -16,7 +16,8 @@ namespace lathelier::features {
 std::vector<ShaftMark> crossHoles(const WallScan& scan, const ResidualMap& map, const SurfaceTable& surface,
                                   double form_mm, const Progress& progress = {});
 
-/// The marks with the holes, without keyways that are the floors of holes; in order of z.
-std::vector<ShaftMark> withHoles(std::vector<ShaftMark> marks, const std::vector<ShaftMark>& holes);
+/// The marks with the holes in order of z: a floor named a keyway that is as short as its hole is the hole's, and a
+/// hole in a longer one is a piece of the keyway.
+std::vector<ShaftMark> withHoles(std::vector<ShaftMark> marks, std::vector<ShaftMark> holes);
 
 }  // namespace lathelier::features

@@ -7,9 +7,11 @@ namespace lathelier::features {
 
 struct HoleLimits {
     // Where a rim is sought.
+    std::size_t least_cells = 2;      ///< of a region without the wall
+    std::size_t most_regions = 100;   ///< more are gaps of teeth or a scan with patches: bounds the time
     double least_area_mm2 = 2;        ///< of cells without the wall
     double most_aspect = 2.6;         ///< of their box: the cells are coarse, the rim judges
-    double beside_mm = 2.5;           ///< of the hole, on all sides of a window
+    double beside_mm = 3.5;           ///< of the hole, on all sides of a window
     double most_radius_share = 0.85;  ///< of the wall's radius
     double most_half_rad = 1.35;      ///< of a window about the axis
     // What a rim must show.
@@ -38,6 +40,8 @@ struct HoleLimits {
     double floor_scatter_mm = 0.25;                ///< rms of points about a floor
     double least_tip_slope = 0.2;                  ///< of a floor that is the point of a drill; 118° have 0.6
     std::size_t most_lone = 3;                     ///< unequal holes without a second rim or a floor: more are patches
+    double slot_length = 1.4;  ///< times its diameter: longer keyways at its place are no floors of a hole
+    double same_deg = 15;      ///< between the directions of a hole and a keyway at one place
     // Two rims of one hole.
     double pair_mm = 0.35;        ///< difference of place and diameter
     double pair_sigmas = 4;       ///< besides

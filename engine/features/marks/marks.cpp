@@ -85,7 +85,7 @@ double widthOf_mm(const std::vector<FloorPoint>& floor)
 }
 
 /// The flat or keyway whose floor the points of a region prove.
-std::optional<ShaftMark> markOf(const WallScan& scan, const OffRegion& region, const Progress& progress)
+std::optional<ShaftMark> markOf(const WallScan& scan, const OffRegion& region)
 {
     const MeridianCloud& cloud = scan.cloud;
     const Model& model = scan.model;
@@ -129,7 +129,6 @@ std::optional<ShaftMark> markOf(const WallScan& scan, const OffRegion& region, c
         case FloorShape::Neither: return std::nullopt;
     }
     mark.width_mm = width;
-    if (mark.kind == MarkKind::Keyway) measureSlot(scan, mark, progress);
     return mark;
 }
 
@@ -147,6 +146,29 @@ void dropTeeth(std::vector<ShaftMark>& marks)
     marks = std::move(kept);
 }
 
+/// Pieces of one floor are one keyway: cells with few points part it.
+void joinKeyways(std::vector<ShaftMark>& marks)
+{
+    std::stable_sort(marks.begin(), marks.end(),
+                     [](const ShaftMark& a, const ShaftMark& b) { return a.z_start_mm < b.z_start_mm; });
+    std::vector<ShaftMark> joined;
+    for (const ShaftMark& mark : marks) {
+        const auto before = std::find_if(joined.begin(), joined.end(), [&](const ShaftMark& one) {
+            return one.kind == MarkKind::Keyway && mark.kind == MarkKind::Keyway &&
+                   *mark.z_start_mm - *one.z_end_mm < markLimits.floor_gap_mm &&
+                   std::abs(*mark.floor_mm - *one.floor_mm) < markLimits.same_floor_mm &&
+                   std::abs(std::remainder(*mark.angle_deg - *one.angle_deg, 360)) < markLimits.same_floor_deg;
+        });
+        if (before == joined.end()) {
+            joined.push_back(mark);
+            continue;
+        }
+        before->z_end_mm = std::max(*before->z_end_mm, *mark.z_end_mm);
+        before->width_mm = std::max(*before->width_mm, *mark.width_mm);
+    }
+    marks = std::move(joined);
+}
+
 }  // namespace
 
 std::vector<ShaftMark> findMarks(const MeridianCloud& cloud, const Outline& outline, const Outline* bore,
@@ -157,9 +179,12 @@ std::vector<ShaftMark> findMarks(const MeridianCloud& cloud, const Outline& outl
     std::vector<ShaftMark> marks;
     for (const OffRegion& region : offRegions(cloud, model, bore)) {
         progress.check();
-        if (auto mark = markOf(scan, region, progress)) marks.push_back(*std::move(mark));
+        if (auto mark = markOf(scan, region)) marks.push_back(*std::move(mark));
     }
+    joinKeyways(marks);
     dropTeeth(marks);
+    for (ShaftMark& mark : marks)
+        if (mark.kind == MarkKind::Keyway) measureSlot(scan, mark, progress);
     for (const RoughZone& zone : outline.rough) {
         if (zone.eccentric_mm > 0) continue;
         double about = 0;

@@ -14,6 +14,7 @@ namespace {
 /// Limits of the fit; chosen on scans with known truth.
 struct RimLimits {
     double coarse_reach_mm = 1.5, reach_mm = 0.7;  ///< rays further from the rim say nothing of its place
+    int coarse_rounds = 6;                         ///< each with the rays about the rim before
     double coarse_blur_mm = 0.15, first_blur_mm = 0.04;
     double least_blur_mm = 0.004, most_blur_mm = 0.15;  ///< below the first, rays on one side only say nothing of it
     double stray_share = 0.003;                         ///< least share of rays that tell of another surface
@@ -225,7 +226,8 @@ RimShape bestRim(const RimView& view, const RimShape& first, const Progress& pro
     RimShape start = first;
     start.blur_mm = start.blur_z_mm = rimLimits.coarse_blur_mm;
     RimNumbers at(start);
-    climb(RimLikelihood(view, start, rimLimits.coarse_reach_mm), at.places(), at, progress);
+    for (int round = 0; round < rimLimits.coarse_rounds; ++round)
+        climb(RimLikelihood(view, at.shape(), rimLimits.coarse_reach_mm), at.places(), at, progress);
     start = at.shape();
     start.blur_mm = start.blur_z_mm = rimLimits.first_blur_mm;
     at = RimNumbers(start);

@@ -14,13 +14,16 @@ namespace {
 
 /// Limits of the rim of a slot; chosen on scans with known truth.
 struct SlotLimits {
-    double beside_mm = 2;                              ///< of the slot, on all sides of a window
+    double far_before_mm = 15,
+           seen_mm = 0.3;                 ///< of a longer window, where the rim comes so near to the end of the first
+    double beside_mm = 2, before_mm = 4;  ///< of the slot across and along it: the window
     double least_half_rad = 0.1, most_half_rad = 1.3;  ///< of a window about the axis
     double form_mm = 0.09;        ///< standard uncertainty of the width beside that of the rays: each edge is broken or
                                   ///< burred by up to 0.1 mm
     double end_gain = 8;          ///< log-likelihood by which a straight end must exceed a round one
     double most_change_mm = 2.5;  ///< of the width against the one that the floor gives
     double least_length = 1.25;   ///< times the width: shorter ones are no slots
+    double shaft_mm = 0.1;        ///< by which a worn or measured shaft may exceed the range of a key
     double length_tolerance_mm = 0.3;  ///< of a slot for a key, DIN 6885-1: +0.3 over 28 mm
 };
 constexpr SlotLimits slotLimits{};
@@ -39,6 +42,18 @@ RimShape bestEnds(const RimView& view, const RimShape& first, const Progress& pr
     return best;
 }
 
+/// The rim of a slot of about the half width.
+RimFit fitSlot(const RimView& view, const ShaftMark& mark, double half_mm, const Progress& progress)
+{
+    RimShape first;
+    first.kind = RimKind::Slot;
+    first.low_mm = -half_mm;
+    first.high_mm = half_mm;
+    first.start_mm = *mark.z_start_mm;
+    first.end_mm = std::max(*mark.z_end_mm, *mark.z_start_mm + 2 * half_mm);
+    return fitRim(view, bestEnds(view, first, progress), progress);
+}
+
 }  // namespace
 
 bool measureSlot(const WallScan& scan, ShaftMark& mark, const Progress& progress)
@@ -49,19 +64,19 @@ bool measureSlot(const WallScan& scan, ShaftMark& mark, const Progress& progress
     const double half_rad = scan.surface_scan ? std::asin(std::min(0.95, *mark.width_mm / (2 * radius)))
                                               : std::atan(*mark.width_mm / (2 * floor));
     const double half = radius * std::sin(half_rad);
-    WallWindow window{*mark.z_start_mm - slotLimits.beside_mm, *mark.z_end_mm + slotLimits.beside_mm,
-                      *mark.angle_deg / deg_per_rad, 0};
+    WallWindow window{0, 0, *mark.angle_deg / deg_per_rad, 0};
     window.half_rad =
         std::clamp(half_rad + slotLimits.beside_mm / radius, slotLimits.least_half_rad, slotLimits.most_half_rad);
-    window = withinRun(*run, window);
-    const RimView view = raysAt(scan, *run, window, progress);
-    RimShape first;
-    first.kind = RimKind::Slot;
-    first.low_mm = -half;
-    first.high_mm = half;
-    first.start_mm = *mark.z_start_mm;
-    first.end_mm = std::max(*mark.z_end_mm, *mark.z_start_mm + 2 * half);
-    const RimFit fit = fitRim(view, bestEnds(view, first, progress), progress);
+    RimFit fit;
+    for (const double before_mm : {slotLimits.before_mm, slotLimits.far_before_mm}) {
+        window.from_mm = *mark.z_start_mm - before_mm;
+        window.to_mm = *mark.z_end_mm + before_mm;
+        window = withinRun(*run, window);
+        fit = fitSlot(raysAt(scan, *run, window, progress), mark, half, progress);
+        const bool is_cut = fit.rim.start_mm < window.from_mm + slotLimits.seen_mm ||
+                            fit.rim.end_mm > window.to_mm - slotLimits.seen_mm;
+        if (!is_cut) break;
+    }
     const double width = fit.rim.width_mm(), length = fit.rim.end_mm - fit.rim.start_mm;
     if (!(std::abs(width - 2 * half) < slotLimits.most_change_mm) || length < slotLimits.least_length * width)
         return false;
@@ -80,7 +95,7 @@ std::string keyOf(const ShaftMark& slot, double shaft_mm, bool round_ends)
     if (!round_ends || !slot.width_mm || !slot.uncertainty_mm) return {};
     const double length = *slot.z_end_mm - *slot.z_start_mm;
     for (const ParallelKey& key : parallelKeys()) {
-        if (!(shaft_mm > key.over_mm && shaft_mm <= key.to_mm)) continue;
+        if (shaft_mm < key.over_mm || shaft_mm > key.to_mm + slotLimits.shaft_mm) continue;
         if (std::abs(*slot.width_mm - key.width_mm) > *slot.uncertainty_mm) continue;
         std::string name = fmt::format("DIN 6885 - A {:g}×{:g}", key.width_mm, key.height_mm);
         for (const double standard_mm : keyLengths_mm())

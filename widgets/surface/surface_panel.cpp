@@ -23,9 +23,8 @@ const std::vector<std::string> roles{surface::beforeRole, surface::afterRole, st
 const std::vector<std::string> shownFields{
     "feed_mm_rev", "diameter_mm", surface::speedBeforeKey, surface::speedAfterKey, "mm_per_px", "scale_px_mm",
     "scale_from_feed", "scale_from_file", "feed_direction_deg", "cut_direction", "unroll", "lighting", "taken_alike",
-    "after_mm_per_px",
-    "after_feed_direction_deg", surface::layRightKey, surface::layDownKey, "expect_hz", surface::makeKey, "axis_px",
-    "roi", "alpha", "speed_uncertainty_percent"};
+    "after_mm_per_px", "after_feed_direction_deg", surface::layRightKey, surface::layDownKey, "expect_hz",
+    surface::makeKey, "axis_px", "roi", "alpha", "speed_uncertainty_percent"};
 // clang-format on
 
 /// One picture before, which can be made, and one after.

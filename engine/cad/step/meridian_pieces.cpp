@@ -96,11 +96,13 @@ bool boundsCut(const std::vector<MeridianPiece>& pieces, const MeridianPiece& pi
     });
 }
 
+/// A bore or a face that leads to no other piece: the ground of a hole, the wall of a slot.
 bool isLoose(const std::vector<MeridianPiece>& pieces, const MeridianPiece& piece)
 {
     const auto any = [](const ContourPiece&) { return true; };
-    return !isEndOfAny(pieces, piece, piece.curve.from_mm, any) && !isEndOfAny(pieces, piece, piece.curve.to_mm, any) &&
-           piece.curve.from_mm.y() > touching_mm && piece.curve.to_mm.y() > touching_mm;
+    return !isOutside(piece.curve) && !isEndOfAny(pieces, piece, piece.curve.from_mm, any) &&
+           !isEndOfAny(pieces, piece, piece.curve.to_mm, any) && piece.curve.from_mm.y() > touching_mm &&
+           piece.curve.to_mm.y() > touching_mm;
 }
 
 void findWhole(std::vector<MeridianPiece>& pieces, const std::vector<StepFace>& faces)

@@ -35,6 +35,7 @@ struct StepFace {
     std::vector<SurfaceSpot> spots;            ///< of an Other face, over its parameters: what it may be exactly
     std::vector<Eigen::Vector3d> vertices_mm;  ///< in file coordinates
     std::vector<std::vector<Eigen::Vector3d>> edges_mm;  ///< points along each edge
+    std::vector<int> edge_numbers;                       ///< of the solid's edges: neighbours share them
 };
 
 struct StepSolid {

@@ -26,7 +26,9 @@
 #include <StepGeom_Vector.hxx>
 #include <StepShape_EdgeCurve.hxx>
 #include <StepShape_VertexPoint.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <cmath>
@@ -43,6 +45,7 @@ namespace lathelier::cad {
 namespace {
 
 constexpr int pointsOfEdge = 24;
+constexpr double splineTolerance = 1e-10;  ///< relative, of integrals over splines; volumes are then right to 1e-5
 
 Eigen::Vector3d vector(const gp_XYZ& v)
 {
@@ -197,6 +200,12 @@ void describeSurface(StepFace& face, const BRepAdaptor_Surface& surface, double 
     }
 }
 
+/// Integrals over rational splines of few spans are wrong by percents without a tolerance.
+bool isSpline(const BRepAdaptor_Surface& surface)
+{
+    return surface.GetType() == GeomAbs_BSplineSurface || surface.GetType() == GeomAbs_BezierSurface;
+}
+
 /// Points and normals within the bounds of the parameters.
 std::vector<SurfaceSpot> spotsOf(const BRepAdaptor_Surface& surface, double u0, double u1, double v0, double v1)
 {
@@ -213,14 +222,17 @@ std::vector<SurfaceSpot> spotsOf(const BRepAdaptor_Surface& surface, double u0, 
     return spots;
 }
 
-StepFace describe(const TopoDS_Face& topology, const Progress& progress)
+StepFace describe(const TopoDS_Face& topology, const TopTools_IndexedMapOfShape& edges, const Progress& progress)
 {
     StepFace face;
+    const BRepAdaptor_Surface surface(topology);
     GProp_GProps area;
-    BRepGProp::SurfaceProperties(topology, area);
+    if (isSpline(surface))
+        BRepGProp::SurfaceProperties(topology, area, splineTolerance);
+    else
+        BRepGProp::SurfaceProperties(topology, area);
     progress.check();
     face.area_mm2 = std::abs(area.Mass());
-    const BRepAdaptor_Surface surface(topology);
     double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
     BRepTools::UVBounds(topology, u0, u1, v0, v1);
     gp_Pnt point;
@@ -237,6 +249,7 @@ StepFace describe(const TopoDS_Face& topology, const Progress& progress)
     for (TopExp_Explorer at(topology, TopAbs_EDGE); at.More(); at.Next()) {
         progress.check();
         const TopoDS_Edge edge = TopoDS::Edge(at.Current());
+        face.edge_numbers.push_back(edges.FindIndex(edge));
         double t0 = 0, t1 = 0;
         if (BRep_Tool::Degenerated(edge) || BRep_Tool::Curve(edge, t0, t1).IsNull()) continue;
         if (Precision::IsInfinite(t0) || Precision::IsInfinite(t1)) continue;
@@ -285,13 +298,22 @@ StepSolid readSolid(std::string_view bytes, const Part21& checked, const Progres
         const Handle(StepBasic_Product) product = Handle(StepBasic_Product)::DownCast(model->Value(i));
         if (!product.IsNull() && !product->Name().IsNull()) result.product = product->Name()->ToCString();
     }
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(solids.front(), TopAbs_EDGE, edges);
     for (TopExp_Explorer at(solids.front(), TopAbs_FACE); at.More(); at.Next()) {
-        StepFace face = describe(TopoDS::Face(at.Current()), progress);
+        StepFace face = describe(TopoDS::Face(at.Current()), edges, progress);
         if (!isFinite(face)) refuseRecord(1);
         result.faces.push_back(std::move(face));
     }
-    GProp_GProps volume;  // the overload without a tolerance is exact for these surfaces
-    BRepGProp::VolumeProperties(solids.front(), volume);
+    bool has_spline = false;
+    for (TopExp_Explorer at(solids.front(), TopAbs_FACE); at.More() && !has_spline; at.Next())
+        has_spline = isSpline(BRepAdaptor_Surface(TopoDS::Face(at.Current())));
+    progress.check();
+    GProp_GProps volume;  // the overload without a tolerance is exact for all surfaces but splines
+    if (has_spline)
+        BRepGProp::VolumeProperties(solids.front(), volume, splineTolerance);
+    else
+        BRepGProp::VolumeProperties(solids.front(), volume);
     result.volume_mm3 = volume.Mass();
     if (!std::isfinite(result.volume_mm3)) refuseRecord(1);
     if (result.volume_mm3 < 0) {  // reversed orientation

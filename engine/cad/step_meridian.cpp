@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/cad/step/meridian_pieces.h"
 #include "engine/core/units.h"
 
 namespace lathelier::cad {
@@ -22,11 +23,7 @@ constexpr double sameEnd_mm = 1e-4;    ///< distance of coincident ends
 constexpr double beyondVertex_mm = 1e-6;
 constexpr double noArc = 1e-7;  ///< rad
 
-struct Piece {
-    ContourPiece curve;
-    bool cylinder = false;  ///< its radius is that of the cylindrical surface
-    std::vector<std::size_t> faces;
-};
+using Piece = MeridianPiece;
 
 bool isAbout(const StepFace& face, const Line3& axis)
 {
@@ -291,6 +288,7 @@ Meridian meridianOf(const std::vector<StepFace>& faces, const Line3& axis, const
         if (!isAbout(faces[i], axis)) continue;
         for (Piece& piece : piecesOf(faces[i], i, axis)) merge(pieces, std::move(piece));
     }
+    keepTurned(pieces, faces);
     Meridian result;
     std::vector<bool> taken(faces.size()), used(pieces.size());
     std::vector<Piece> chain;
@@ -303,10 +301,12 @@ Meridian meridianOf(const std::vector<StepFace>& faces, const Line3& axis, const
             Piece next = pieces[*at];
             if (!chain.empty() && chain.back().curve.to_mm.y() >= same_mm) {
                 const ContourPiece gap{chain.back().curve.to_mm, next.curve.from_mm, 0};
-                if ((gap.to_mm - gap.from_mm).norm() > sameEnd_mm)
+                if ((gap.to_mm - gap.from_mm).norm() > sameEnd_mm) {
                     chain.push_back({gap, false, {}});
-                else
+                    result.gaps.push_back(gap);
+                } else {
                     join(chain.back(), next);
+                }
             }
             chain.push_back(next);
             at = following(pieces, used, next.curve.to_mm, first);

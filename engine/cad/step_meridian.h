@@ -26,9 +26,11 @@ std::optional<Line3> commonAxis(const std::vector<StepFace>& faces);
 struct Meridian {
     Contour closed;                        ///< clockwise in (z, r), without the axis; empty: no piece
     std::vector<std::size_t> other_faces;  ///< faces that are not part of it
+    Contour gaps;                          ///< pieces of `closed` that no face shows
 };
 
-/// Pieces of the coaxial faces, chained. Where faces are missing a straight line closes the gap.
+/// Pieces of the coaxial faces, chained: the smallest turned body around the solid. Of faces that cuts interrupt those
+/// that bound the cuts only are left out (meridian_pieces.h). Where faces are missing a straight line closes the gap.
 Meridian meridianOf(const std::vector<StepFace>& faces, const Line3& axis, const Progress& progress);
 
 }  // namespace lathelier::cad

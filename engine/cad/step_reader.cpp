@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/cad/cad_codes.h"
 #include "engine/cad/canonical_surface.h"
 #include "engine/cad/meridian_shaft.h"
 #include "engine/cad/part21.h"
+#include "engine/cad/step/step_marks.h"
+#include "engine/cad/step/step_refusal.h"
 #include "engine/cad/step_faces.h"
 #include "engine/cad/step_meridian.h"
 #include "engine/core/utf8.h"
-#include "engine/registration/registration_codes.h"
-#include "engine/shaft/shaft_codes.h"
+#include "engine/shaft/contour_distance.h"
+#include "engine/shaft/shaft_contour.h"
 #include "engine/shaft/shaft_rules.h"
 
 namespace lathelier::cad {
@@ -21,117 +22,25 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double plainVolume = 1e-6;    ///< |V_solid / V_table - 1| below this: a pure body of revolution
-constexpr double inexactVolume = 1e-4;  ///< the same limit for files with coarse tolerances
-constexpr double leastVolume = 0.9;     ///< smallest V_solid / V_table
-constexpr double beyondPart_mm = 1e-3;  ///< tolerance beyond the largest circle
-constexpr std::size_t worstFaces = 4;   ///< largest number of faces named in an error
-
-const Text notRound = LT_TEXT("Engine", "its sections are not round");
-const Text noSingleAxis = LT_TEXT("Engine", "no single axis fits");
-const Text freeForm = LT_TEXT("Engine",
-                              "its faces are free-form surfaces that are exactly no plane, cylinder, cone, sphere or "
-                              "torus");
-const Text faceted = LT_TEXT("Engine", "all its faces are planes");
-
-Text nameOf(SurfaceKind kind)
-{
-    switch (kind) {
-        case SurfaceKind::Plane: return LT_TEXT("Engine", "plane");
-        case SurfaceKind::Cylinder: return LT_TEXT("Engine", "cylinder");
-        case SurfaceKind::Cone: return LT_TEXT("Engine", "cone");
-        case SurfaceKind::Torus: return LT_TEXT("Engine", "torus");
-        case SurfaceKind::Sphere: return LT_TEXT("Engine", "sphere");
-        case SurfaceKind::RevolvedLine:
-        case SurfaceKind::RevolvedArc: return LT_TEXT("Engine", "surface of revolution");
-        case SurfaceKind::Other: return LT_TEXT("Engine", "free-form surface");
-    }
-    return {};
-}
-
-struct Range {
-    double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
-    void add(double value)
-    {
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
+/// When a table is the part that the solid is.
+struct Acceptance {
+    double plain_volume = 1e-6;    ///< |V_solid / V_table - 1| below this: a pure body of revolution
+    double inexact_volume = 1e-4;  ///< the same limit for files with coarse tolerances
+    double spline_volume = 1e-5;   ///< the same limit for splines: the kernel's integral over them is no better
+    double least_volume = 0.9;     ///< smallest V_solid / V_table where faces of free form cut the part
+    double least_named = 0.6;      ///< the same where every face is named: a square has 0.637 of its circle
+    double cut_volume = 0.03;      ///< of the volume cut, by which that of the named cuts may differ: rounds of edges
+    double beyond_mm = 1e-3;       ///< tolerance of points beyond the turned body
 };
 
-/// Range of the boundary of a face in z and r.
-struct Extent {
-    Range z, r;
-};
+constexpr Acceptance accepted;
 
-Extent extentOf(const StepFace& face, const Line3& axis)
+/// Splines that are exactly simpler surfaces become these. True if there are splines.
+bool recogniseSplines(std::vector<StepFace>& faces)
 {
-    Extent extent;
-    const auto add = [&](const Vector3d& point) {
-        const Vector2d zr = axis.meridianOf(point);
-        extent.z.add(zr.x());
-        extent.r.add(zr.y());
-    };
-    for (const Vector3d& vertex : face.vertices_mm) add(vertex);
-    for (const auto& edge : face.edges_mm)
-        for (const Vector3d& point : edge) add(point);
-    if (extent.z.low > extent.z.high) add(face.inner_mm);
-    return extent;
-}
-
-/// Through the middle of the part along its longest side, for the description of a part without an axis.
-Line3 longestSide(const std::vector<StepFace>& faces)
-{
-    Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const StepFace& face : faces)
-        for (const Vector3d& vertex : face.vertices_mm) {
-            low = low.cwiseMin(vertex);
-            high = high.cwiseMax(vertex);
-        }
-    if (!low.allFinite() || !high.allFinite()) return {};
-    Eigen::Index longest = 0;
-    (high - low).maxCoeff(&longest);
-    return {(low + high) / 2, Vector3d::Unit(longest)};
-}
-
-/// The largest first.
-std::vector<OtherFace> describeFaces(const StepSolid& solid, const std::vector<std::size_t>& which, const Line3& axis,
-                                     double free_end_mm)
-{
-    std::vector<OtherFace> result;
-    for (const std::size_t i : which) {
-        const Extent extent = extentOf(solid.faces[i], axis);
-        result.push_back({nameOf(solid.faces[i].kind), solid.faces[i].area_mm2, extent.z.low - free_end_mm,
-                          extent.z.high - free_end_mm});
-    }
-    std::stable_sort(result.begin(), result.end(),
-                     [](const OtherFace& a, const OtherFace& b) { return a.area_mm2 > b.area_mm2; });
-    return result;
-}
-
-[[noreturn]] void refusePart(const StepSolid& solid, const std::vector<std::size_t>& which, const Line3& axis,
-                             const char* reason, Text why)
-{
-    double residual_mm = 0;
-    for (const std::size_t i : which) {
-        const Extent extent = extentOf(solid.faces[i], axis);
-        residual_mm = std::max(residual_mm, extent.r.high - extent.r.low);
-    }
-    Rows faces;
-    for (const OtherFace& face : describeFaces(solid, which, axis, 0)) {
-        if (faces.rows.size() == worstFaces) break;
-        faces.rows.push_back({{{"kind", face.kind}, {"area_mm2", face.area_mm2}}});
-    }
-    throw Error(errors::notABodyOfRevolution, {{"role", std::string("part")},
-                                               {"reason", std::string(reason)},
-                                               {"why", why},
-                                               {"residual_mm", residual_mm},
-                                               {"faces", faces}});
-}
-
-/// Splines that are exactly simpler surfaces become these.
-void recogniseSplines(std::vector<StepFace>& faces)
-{
+    bool has_spline = false;
     for (StepFace& face : faces) {
+        has_spline |= face.kind == SurfaceKind::Other;
         if (face.kind != SurfaceKind::Other) continue;
         const auto found = canonicalSurface(face.spots, face.inner_mm);
         if (!found) continue;
@@ -141,42 +50,7 @@ void recogniseSplines(std::vector<StepFace>& faces)
         face.radius_mm = found->radius_mm;
         face.circle_centre_mm = found->circle_centre_mm;
     }
-}
-
-/// Whether most of the surface that is not plane is free-form.
-bool isFreeForm(const std::vector<StepFace>& faces)
-{
-    double free_mm2 = 0, curved_mm2 = 0;
-    for (const StepFace& face : faces) {
-        if (face.kind != SurfaceKind::Plane) curved_mm2 += face.area_mm2;
-        if (face.kind == SurfaceKind::Other) free_mm2 += face.area_mm2;
-    }
-    return 2 * free_mm2 > curved_mm2;
-}
-
-std::vector<std::size_t> everyFace(const StepSolid& solid)
-{
-    std::vector<std::size_t> all(solid.faces.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    return all;
-}
-
-/// Adds marks for faces that are not of revolution, merging those that overlap along z.
-void addMarks(Shaft& shaft, std::vector<OtherFace> faces)
-{
-    std::sort(faces.begin(), faces.end(),
-              [](const OtherFace& a, const OtherFace& b) { return a.z_start_mm < b.z_start_mm; });
-    for (const OtherFace& face : faces) {
-        if (!shaft.marks.empty() && face.z_start_mm <= *shaft.marks.back().z_end_mm) {
-            double& end = *shaft.marks.back().z_end_mm;
-            end = std::max(end, face.z_end_mm);
-            continue;
-        }
-        ShaftMark mark{MarkKind::FreeForm};
-        mark.z_start_mm = face.z_start_mm;
-        mark.z_end_mm = face.z_end_mm;
-        shaft.marks.push_back(mark);
-    }
+    return has_spline;
 }
 
 /// UTF-8 of a text as ISO 10303-21 writes it, as far as the kernel has not decoded it.
@@ -220,6 +94,120 @@ void checkKinds(const Part21& checked)
                     {{"found", faces}, {"items", std::string("faces")}, {"maximum", mostStepFaces}});
 }
 
+/// A table with the frame of its axis.
+struct Turned {
+    Line3 axis;
+    Meridian meridian;
+    Shaft shaft;
+    double free_end_mm = 0;  ///< along the axis
+};
+
+Turned turnedOf(const StepSolid& solid, const Line3& axis, const Progress& progress)
+{
+    Turned turned{axis, meridianOf(solid.faces, axis, progress), {}, 0};
+    turned.shaft = shaftOf(turned.meridian.closed);
+    bool first = true;
+    for (const ContourPiece& piece : turned.meridian.closed)
+        for (const double z : {piece.from_mm.x(), piece.to_mm.x()}) {
+            turned.free_end_mm = first ? z : std::min(turned.free_end_mm, z);
+            first = false;
+        }
+    return turned;
+}
+
+/// Does no part of the solid lie beyond the turned body?
+bool isWithin(const StepSolid& solid, const Turned& turned, const Progress& progress)
+{
+    const ContourDistance surface(closedContour(turned.shaft), 1e3 * accepted.beyond_mm);
+    const double length = turned.shaft.length_mm();
+    double largest_mm = 0;
+    for (const ContourPiece& piece : turned.meridian.closed) {
+        largest_mm = std::max({largest_mm, piece.from_mm.y(), piece.to_mm.y()});
+        // The largest circle may be within an arc.
+        if (piece.isArc()) largest_mm = std::max(largest_mm, piece.centre_mm().y() + std::abs(piece.arc_radius_mm));
+    }
+    const auto isIn = [&](const Vector3d& point) {
+        const Vector2d zr = turned.axis.meridianOf(point);
+        const double z = zr.x() - turned.free_end_mm;
+        if (z < -accepted.beyond_mm || z > length + accepted.beyond_mm || zr.y() > largest_mm + accepted.beyond_mm)
+            return false;
+        const auto foot = surface.footOf(z, zr.y());
+        return foot ? foot->distance_mm < accepted.beyond_mm
+                    : zr.y() < outerRadius_mm(turned.shaft, z) + accepted.beyond_mm;
+    };
+    for (const StepFace& face : solid.faces) {
+        progress.check();
+        if (!std::all_of(face.vertices_mm.begin(), face.vertices_mm.end(), isIn)) return false;
+        for (const auto& edge : face.edges_mm)
+            if (!std::all_of(edge.begin(), edge.end(), isIn)) return false;
+    }
+    return true;
+}
+
+/// Is every stretch of the outside that no face shows the round of a hexagon or a square?
+bool areGapsNamed(const Turned& turned, const std::vector<ShaftMark>& marks)
+{
+    return std::all_of(turned.meridian.gaps.begin(), turned.meridian.gaps.end(), [&](const ContourPiece& gap) {
+        const double start = gap.from_mm.x() - turned.free_end_mm, end = gap.to_mm.x() - turned.free_end_mm;
+        return std::abs(gap.from_mm.y() - gap.to_mm.y()) < accepted.beyond_mm && isPrism(marks, start, end);
+    });
+}
+
+/// Marks of the spherical ends.
+void addSpheres(Shaft& shaft)
+{
+    double z_mm = 0;
+    for (std::size_t i = 0; i < shaft.segments.size(); ++i) {
+        const ShaftSegment& row = shaft.segments[i];
+        const double start = z_mm;
+        z_mm += row.length_mm;
+        const bool is_end = (i == 0 && row.start_diameter_mm < samePlace_mm) ||
+                            (i + 1 == shaft.segments.size() && row.end_diameter_mm < samePlace_mm);
+        if (!is_end || row.arc_radius_mm.value_or(0) <= 0) continue;
+        const ContourPiece arc{{start, row.start_diameter_mm / 2}, {z_mm, row.end_diameter_mm / 2}, *row.arc_radius_mm};
+        if (std::abs(arc.centre_mm().y()) > samePlace_mm) continue;
+        ShaftMark mark{MarkKind::Sphere, start, z_mm};
+        mark.diameter_mm = 2 * *row.arc_radius_mm;
+        shaft.marks.push_back(mark);
+    }
+}
+
+/// Adds the marks of the faces that cut the turned body. False: they do not explain the solid.
+bool addMarks(StepPart& part, const StepSolid& solid, const Turned& turned, const Progress& progress)
+{
+    const double table_mm3 = volume_mm3(part.shaft), ratio = part.volume_mm3 / table_mm3;
+    if (!(ratio >= accepted.least_named && ratio <= 1 + accepted.plain_volume)) return false;
+    MarkedCuts found = marksOf(solid.faces, turned.meridian.other_faces, frameOf(turned.axis, turned.free_end_mm),
+                               part.shaft, progress);
+    if (!areGapsNamed(turned, found.marks)) return false;
+    part.cut_mm3 = table_mm3 - part.volume_mm3;
+    part.named_mm3 = cutVolume_mm3(found.cuts, part.shaft, progress);
+    const double tolerance = accepted.cut_volume * part.cut_mm3 + accepted.plain_volume * table_mm3;
+    const bool complete = found.unnamed.empty() && !found.has_spline;
+    const bool consistent =
+        part.named_mm3 <= part.cut_mm3 + tolerance && (!complete || part.named_mm3 >= part.cut_mm3 - tolerance);
+    // Marks that cut another volume than the solid lacks are no explanation.
+    if (!consistent && !turned.meridian.gaps.empty()) return false;
+    if (!consistent)
+        found =
+            freeForms(solid.faces, turned.meridian.other_faces, frameOf(turned.axis, turned.free_end_mm), part.shaft);
+    if (!found.unnamed.empty() && ratio < accepted.least_volume) return false;
+    part.shaft.marks = std::move(found.marks);
+    return true;
+}
+
+void noteOthers(const StepPart& part, const StepSolid& solid, Notes& notes)
+{
+    double other_mm2 = 0, total_mm2 = 0;
+    for (const StepFace& face : solid.faces) total_mm2 += face.area_mm2;
+    for (const OtherFace& face : part.other_faces) other_mm2 += face.area_mm2;
+    notes.push_back({notes::notOfRevolution,
+                     {{"count", static_cast<std::int64_t>(part.other_faces.size())},
+                      {"area_mm2", other_mm2},
+                      {"total_mm2", total_mm2},
+                      {"volume_percent", 100 * part.volume_mm3 / volume_mm3(part.shaft)}}});
+}
+
 }  // namespace
 
 bool looksLikeStep(std::string_view head)
@@ -234,73 +222,44 @@ StepPart readStep(std::string_view bytes, Notes& notes, const Progress& progress
     const Part21 checked = checkPart21(bytes, progress.part(0, 0.1));
     checkKinds(checked);
     StepSolid solid = readStepFaces(bytes, checked, progress.part(0.1, 0.9));
-    recogniseSplines(solid.faces);
-
-    if (std::all_of(solid.faces.begin(), solid.faces.end(),
-                    [](const StepFace& face) { return face.kind == SurfaceKind::Plane; }))
-        refusePart(solid, everyFace(solid), longestSide(solid.faces), "faceted", faceted);
+    const bool has_spline = recogniseSplines(solid.faces);
+    refusePlanes(solid);
     const std::optional<Line3> axis = commonAxis(solid.faces);
-    if (!axis && isFreeForm(solid.faces))
-        refusePart(solid, everyFace(solid), longestSide(solid.faces), "free_form", freeForm);
-    if (!axis) refusePart(solid, everyFace(solid), longestSide(solid.faces), "no_single_axis", noSingleAxis);
+    if (!axis) refuseWithoutAxis(solid);
 
-    const Meridian meridian = meridianOf(solid.faces, *axis, progress);
+    const Turned turned = turnedOf(solid, *axis, progress);
+    const std::vector<std::size_t>& others = turned.meridian.other_faces;
     StepPart part;
-    part.shaft = shaftOf(meridian.closed);
+    part.shaft = turned.shaft;
     part.shaft.name = decoded(solid.product);
     part.volume_mm3 = solid.volume_mm3;
     part.axis = axis->direction;
-    Range z;
-    double largest_mm = 0, curved_mm2 = 0, coaxial_mm2 = 0, total_mm2 = 0, other_mm2 = 0;
-    for (const ContourPiece& piece : meridian.closed)
-        for (const Vector2d& end : {piece.from_mm, piece.to_mm}) z.add(end.x());
-    // The largest circle may be within an arc.
-    for (const ContourPiece& piece : meridian.closed) {
-        largest_mm = std::max({largest_mm, piece.from_mm.y(), piece.to_mm.y()});
-        if (piece.isArc()) largest_mm = std::max(largest_mm, piece.centre_mm().y() + std::abs(piece.arc_radius_mm));
-    }
-    std::vector<bool> is_other(solid.faces.size());
-    for (const std::size_t i : meridian.other_faces) is_other[i] = true;
-    bool fills = true;  // no part of the solid lies beyond the turned body
-    for (std::size_t i = 0; i < solid.faces.size(); ++i) {
-        const StepFace& face = solid.faces[i];
-        const Extent extent = extentOf(face, *axis);
-        fills = fills && extent.r.high <= largest_mm + beyondPart_mm && extent.z.low >= z.low - beyondPart_mm &&
-                extent.z.high <= z.high + beyondPart_mm;
-        total_mm2 += face.area_mm2;
-        if (is_other[i]) other_mm2 += face.area_mm2;
-        if (face.kind == SurfaceKind::Plane) continue;
-        curved_mm2 += face.area_mm2;
-        if (!is_other[i]) coaxial_mm2 += face.area_mm2;
-    }
-    const auto refuseIt = [&] {
-        const bool turned = coaxial_mm2 >= curved_mm2 / 2;
-        const auto& worst = meridian.other_faces;
-        refusePart(solid, worst.empty() ? everyFace(solid) : worst, *axis, turned ? "not_round" : "no_single_axis",
-                   turned ? notRound : noSingleAxis);
-    };
-    if (!fills || part.shaft.segments.empty()) refuseIt();
+    part.free_end_mm = axis->point_mm + turned.free_end_mm * axis->direction;
+    part.other_faces = describeFaces(solid, others, *axis, turned.free_end_mm);
+    if (part.shaft.segments.empty()) refuseSolid(solid, turned.meridian, *axis);
     Notes remarks;
-    double ratio = 0;
+    double difference = 0;
+    bool is_part = false;
     try {
         remarks = checkShaft(part.shaft);
-        ratio = part.volume_mm3 / volume_mm3(part.shaft);
+        difference = std::abs(part.volume_mm3 / volume_mm3(part.shaft) - 1);
+        is_part = isWithin(solid, turned, progress);
     } catch (const Error&) {
-        refuseIt();  // a contour that the table of a shaft cannot represent
+        refuseSolid(solid, turned.meridian, *axis);  // a contour that the table of a shaft cannot represent
     }
-    if (!(ratio >= leastVolume && ratio <= 1 + plainVolume)) refuseIt();
-    // No face explains the difference of the volumes: the file is inconsistent.
-    if (meridian.other_faces.empty() && std::abs(ratio - 1) > inexactVolume) refuseIt();
-    part.free_end_mm = axis->point_mm + z.low * axis->direction;
-    part.other_faces = describeFaces(solid, meridian.other_faces, *axis, z.low);
-    if (!part.other_faces.empty() || std::abs(ratio - 1) > plainVolume) {
-        notes.push_back({notes::notOfRevolution,
-                         {{"count", static_cast<std::int64_t>(part.other_faces.size())},
-                          {"area_mm2", other_mm2},
-                          {"total_mm2", total_mm2},
-                          {"volume_percent", 100 * ratio}}});
-        addMarks(part.shaft, part.other_faces);
+    // No face explains a difference of the volumes: the file is inconsistent.
+    if (others.empty())
+        is_part = is_part && turned.meridian.gaps.empty() && difference <= accepted.inexact_volume;
+    else
+        is_part = is_part && addMarks(part, solid, turned, progress);
+    // All its splines are exactly turned surfaces, so that the table is the exact solid.
+    if (is_part && others.empty() && has_spline && difference <= accepted.spline_volume) {
+        part.volume_mm3 = volume_mm3(part.shaft);
+        difference = 0;
     }
+    if (!is_part) refuseSolid(solid, turned.meridian, *axis);
+    if (!others.empty() || !(difference <= accepted.plain_volume)) noteOthers(part, solid, notes);
+    addSpheres(part.shaft);
     notes.insert(notes.end(), remarks.begin(), remarks.end());
     progress.report(1);
     return part;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/surface/lattice_fit.h"
+#include "engine/surface/line_origin.h"
 
 namespace lathelier::surface {
 namespace {
@@ -126,6 +127,7 @@ std::optional<ChatterLattice> chatterLattice(const WindowedPicture& picture, con
         if (amplitude < search.least_amplitude * feed.amplitude) break;
         if (belongsToFeed(picture, feed, frequency, amplitude)) continue;
         if (isImageOfFeed(picture, feed, frequency, amplitude, search.old_grid)) continue;
+        if (isOfLight(picture, feed.frequency, frequency) || isShorterThanFeed(feed.frequency, frequency)) continue;
         seed = frequency;
         seed_significance = peak.significance;
         break;

@@ -36,7 +36,8 @@ struct LatticeSearch {
 };
 
 /// The lattice seeded by the strongest line outside the feed comb. This may be harmonic 1, 2 or 3 of the vibration: the
-/// smallest fundamental with two lines of its own is used. None if no line outside the comb exceeds the threshold.
+/// smallest fundamental with two lines of its own is used. Lines of light and those shorter than the feed
+/// (line_origin.h) seed nothing. None if no line outside the comb exceeds the threshold.
 /// `peaks` over the medians of rows and columns.
 std::optional<ChatterLattice> chatterLattice(const WindowedPicture& picture, const Significance& significance,
                                              const FeedComb& feed, const std::vector<SpectralPeak>& peaks,

@@ -16,6 +16,10 @@ constexpr double fewWaves = 1.2;    // …unless the cylinder was unrolled and m
 constexpr double nearWhole = 0.25;
 constexpr double wholeNumber = 0.02;  // |ν| below this counts as a whole number of waves
 constexpr int mostCandidates = 5;
+constexpr double uncheckedScale =
+    0.01;  // relative uncertainty of the waves in a revolution: scale, diameter, unrolling…
+constexpr double checkedScale = 0.006;  // …where the pitch of the feed marks proves the scale…
+constexpr double provedScale = 0.003;   // …to better than this
 
 /// A possible reading of the marks.
 struct Candidate {
@@ -148,7 +152,9 @@ ChatterMarks readChatter(const ChatterLattice& lattice, const FeedComb& feed, co
     if (readings.front().waves) {
         marks.waves_measured = readings.front().waves;
         marks.waves_in_view = wavesInView(*readings.front().waves + marks.nu, facts, y);
-        const double u_m = pi * *facts.diameter_px * lineUncertainty(lattice, facts, y) + 0.01 * *marks.waves_measured;
+        const bool is_proved = facts.scale_error && std::abs(*facts.scale_error) < provedScale;
+        const double scale = is_proved ? checkedScale : uncheckedScale;
+        const double u_m = pi * *facts.diameter_px * lineUncertainty(lattice, facts, y) + scale * *marks.waves_measured;
         const double off = std::abs(*marks.waves_measured - std::round(*marks.waves_measured));
         const bool enough = *marks.waves_in_view >= certainWaves ||
                             (facts.unrolled && *marks.waves_in_view >= fewWaves && off < nearWhole);

@@ -20,13 +20,14 @@ struct CutFacts {
     std::optional<double> speed_rpm;
     std::optional<double> feed_direction_deg;  ///< in the flattened picture
     CutDirection cut = CutDirection::Unknown;
-    std::optional<double> expect_hz;   ///< expected frequency, for the choice among candidates
-    double speed_uncertainty = 0.005;  ///< relative standard uncertainty of the spindle speed
-    bool unrolled = false;             ///< the cylinder was unrolled
-    bool curved = false;               ///< the visible curvature was not unrolled: m is never certain
-    bool scale_checked = true;         ///< false: the scale depends on the assumed feed line, treated as curved
-    int columns = 0;                   ///< of the flattened picture
-    int rows = 0;                      ///< of the flattened picture
+    std::optional<double> expect_hz;    ///< expected frequency, for the choice among candidates
+    std::optional<double> scale_error;  ///< relative, of the pitch of the marks against the feed; none: not checked
+    double speed_uncertainty = 0.005;   ///< relative standard uncertainty of the spindle speed
+    bool unrolled = false;              ///< the cylinder was unrolled
+    bool curved = false;                ///< the visible curvature was not unrolled: m is never certain
+    bool scale_checked = true;          ///< false: the scale depends on the assumed feed line, treated as curved
+    int columns = 0;                    ///< of the flattened picture
+    int rows = 0;                       ///< of the flattened picture
 };
 
 /// The comb's vector pointing in the direction of feed, or to the right if it is unknown.

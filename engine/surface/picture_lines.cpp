@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/surface/line_origin.h"
+
 namespace lathelier::surface {
 namespace {
 
@@ -80,10 +82,23 @@ std::optional<FeedComb> feedOf(const WindowedPicture& picture, const Significanc
     }
     std::optional<FeedComb> comb = feedComb(picture, peaks, search.feed_cycles_per_px, feedTolerance);
     if (!comb) comb = feedComb(picture, significant, search.feed_cycles_per_px, feedTolerance);
-    const bool is_strongest =
-        comb && !significant.empty() && coincide(picture, significant.front().frequency, comb->frequency);
+    std::vector<SpectralPeak> marks = further;
+    if (comb) {  // a highlight may be stronger than the feed, and is no chatter
+        const auto isLight = [&](const SpectralPeak& peak) {
+            return !coincide(picture, peak.frequency, comb->frequency) &&
+                   isOfLight(picture, comb->frequency, peak.frequency);
+        };
+        std::erase_if(significant, isLight);
+        std::erase_if(marks, isLight);
+    }
+    const auto isWeaker = [&](const SpectralPeak& peak) {
+        return picture.amplitudeAt(peak.frequency) <= comb->amplitude;
+    };
+    const bool is_strongest = comb && !significant.empty() &&
+                              (coincide(picture, significant.front().frequency, comb->frequency) ||
+                               std::all_of(significant.begin(), significant.end(), isWeaker));
     if (!is_strongest && !(comb && search.feed_only))  // under strong chatter the comb follows from all lines together
-        if (const auto found = feedUnderChatter(picture, further, *search.feed_cycles_per_px)) comb = found;
+        if (const auto found = feedUnderChatter(picture, marks, *search.feed_cycles_per_px)) comb = found;
     if (!comb) return feedComb(picture, peaks, std::nullopt);
     comb->significance = significance.at(comb->frequency, NoiseLevel::Medians);
     return comb;
@@ -117,6 +132,11 @@ PictureLines findLines(const Grid& flat, const LineSearch& search, const Progres
     found.feed_weight = weightOf(found.spectrum, linesOfComb(*found.feed));
     found.chatter = chatterLattice(picture, significance, *found.feed, further,
                                    {found.threshold, search.least_chatter, search.old_grid});
+    if (found.chatter && isSecondFeed(flat, found.feed->frequency, found.chatter->lines.front().frequency)) {
+        const LatticeLine& line = found.chatter->lines.front();
+        found.second_feed = FeedComb{line.frequency, line.significance, line.amplitude, 0};
+        found.chatter.reset();
+    }
     if (found.chatter) found.feed->frequency = found.chatter->feed;
     if (found.chatter) found.chatter_weight = weightOf(found.spectrum, linesOfLattice(*found.chatter));
     progress.report(1);

@@ -50,6 +50,12 @@ public:
             marks_.mm_per_px = named.mm_per_px;
             marks_.mm_per_px_source = ScaleSource::Given;
         }
+        if (marks_.mm_per_px_source == ScaleSource::File) {
+            const double um_per_px = named.image->um_per_px;
+            if (!(um_per_px > 0)) throw Error(errors::scaleNotStated, {{"path", named.path}});
+            marks_.mm_per_px = um_per_px * 1e-3;
+            note(notes::scaleFromFile, {{"um_per_px", um_per_px}});
+        }
         marks_.feed_direction_deg = named.feed_direction_deg ? named.feed_direction_deg : p.feed_direction_deg;
     }
 
@@ -72,6 +78,7 @@ public:
         marks_.largest_significance = lines_.largest_significance;
         if (lines_.feed) {
             describeFeed();
+            if (lines_.second_feed) describeSecondFeed();
             if (lines_.chatter) describeChatter(flat);
         } else if (marks_.mm_per_px_source == ScaleSource::None) {
             note(notes::scaleUnknown, {});
@@ -238,6 +245,23 @@ private:
         marks_.detection_limit_relative_to_feed = lines_.least_chatter / comb.amplitude;
     }
 
+    void describeSecondFeed()
+    {
+        const FeedComb& comb = *lines_.second_feed;
+        FeedMarks second;
+        second.pitch_px = shrunk_ / length(comb.frequency);
+        second.direction_deg = angleModulo180(angle_deg(comb.frequency) + turned_deg_);
+        second.significance = comb.significance;
+        second.amplitude = comb.amplitude;
+        if (marks_.mm_per_px) second.pitch_mm = second.pitch_px * *marks_.mm_per_px;
+        const FeedMarks& first = *marks_.feed_marks;
+        const bool in_mm = first.pitch_mm && second.pitch_mm;
+        note(notes::twoFeeds, {{"pitch", in_mm ? *first.pitch_mm : first.pitch_px},
+                               {"second_pitch", in_mm ? *second.pitch_mm : second.pitch_px},
+                               {"unit", std::string(in_mm ? "mm" : "px")}});
+        marks_.second_feed_marks = second;
+    }
+
     void describeChatter(const Grid& flat)
     {
         CutFacts facts;
@@ -254,7 +278,12 @@ private:
         facts.scale_checked = marks_.mm_per_px_source != ScaleSource::Feed || marks_.feed_direction_deg;
         facts.columns = flat.columns;
         facts.rows = flat.rows;
-        ChatterMarks chatter = readChatter(*lines_.chatter, *lines_.feed, facts, marks_.path, notes_);
+        if (marks_.feed_marks->pitch_error_percent) facts.scale_error = *marks_.feed_marks->pitch_error_percent / 100;
+        Notes remarks;
+        ChatterMarks chatter = readChatter(*lines_.chatter, *lines_.feed, facts, marks_.path, remarks);
+        if (chatter.waves_measured && !marks_.curved && *chatter.waves_measured + chatter.nu < 1)
+            return note(notes::lessThanOneWave, {{"waves", *chatter.waves_measured + chatter.nu}});
+        notes_.insert(notes_.end(), remarks.begin(), remarks.end());
         chatter.regularity = lines_.chatter_weight.regularity;
         chatter.share_percent = 100 * lines_.chatter_weight.share;
         marks_.chatter_marks = chatter;

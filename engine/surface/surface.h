@@ -44,6 +44,7 @@ struct SurfaceParameters {
     std::optional<double> mm_per_px;
     std::string scale_px_mm;        ///< "PX:MM": PX pixels correspond to MM mm; empty: not given
     bool scale_from_feed = false;   ///< the pitch of the marks is the feed
+    bool scale_from_file = false;   ///< the size of a pixel that the files of the pictures state
     std::string unroll = "auto";    ///< "auto", "no", "far", or the camera's distance from the axis in mm
     std::optional<double> axis_px;  ///< where the axis crosses the picture's middle, from the top (an upright
                                     ///< axis: from the left); none: in the middle
@@ -59,7 +60,7 @@ const std::vector<Field<SurfaceParameters>>& fieldsOf(const SurfaceParameters*);
 
 enum class MarksVerdict { NoPeriodicMarks, FeedMarks, ChatterMarks };
 enum class ChatterKind { Unknown, Regenerative, Forced };
-enum class ScaleSource { None, Given, ScaleBar, Feed };
+enum class ScaleSource { None, Given, ScaleBar, Feed, File };
 
 const char* key(MarksVerdict verdict);
 const char* key(ChatterKind kind);
@@ -119,6 +120,7 @@ struct ImageMarks {
     bool unrolled = false;                                   ///< the cylinder was unrolled
     bool curved = false;                                     ///< the visible curvature was not unrolled
     std::optional<FeedMarks> feed_marks;                     ///< none: no comb
+    std::optional<FeedMarks> second_feed_marks;              ///< of another feed, in a part of the picture
     std::optional<ChatterMarks> chatter_marks;               ///< none: no line outside the comb
     std::optional<double> detection_limit_relative_to_feed;  ///< smallest detectable chatter amplitude
     MarksVerdict verdict = MarksVerdict::NoPeriodicMarks;
@@ -163,7 +165,8 @@ inline constexpr double wantedFeed_px = 6;    ///< recommended number of pixels 
 inline constexpr double leastChatter = 0.02;  ///< smallest amplitude of chatter relative to the feed line
 inline constexpr double curvedField = 0.2;    ///< field width over diameter above which the picture is unrolled
 
-/// Errors valueNotUnderstood (numbers of speeds or regions, two scales, no feed for a scale from it), regionOutside,
+/// Errors valueNotUnderstood (numbers of speeds or regions, two scales, no feed for a scale from it), scaleNotStated,
+/// regionOutside,
 /// pictureTooSmall, feedNotResolved, feedAliased. Throws Cancelled.
 SurfaceResult findSurfaceMarks(const std::vector<NamedImage>& images, const SurfaceParameters& parameters = {},
                                const Progress& progress = {});

@@ -24,6 +24,10 @@ inline constexpr ErrorCode feedAliased{
             "A feed of {feed_mm_rev} mm is {found_px} px wide; at least {needed_px} px are needed. The marks of "
             "{alias_px} px in the picture are its alias. Photograph closer.")};
 
+inline constexpr ErrorCode scaleNotStated{
+    "scale_not_stated", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "The file states no size of its pixels; give the scale by another option.")};
+
 inline constexpr ErrorCode regionOutside{
     "region_outside", ErrorKind::WrongUsage,
     LT_TEXT("Engine", "The region {found} does not lie in the picture of {width} × {height} px.")};
@@ -71,6 +75,23 @@ inline constexpr NoteCode feedFewPixels{
 inline constexpr NoteCode scaleFromFeed{
     "scale_from_feed", Severity::Info,
     LT_TEXT("Engine", "{path}: the scale was taken from the feed; the pitch is no check of it then.")};
+
+inline constexpr NoteCode scaleFromFile{
+    "scale_from_file", Severity::Info,
+    LT_TEXT("Engine", "{path}: the scale was taken from the file, {um_per_px} µm per pixel."), NoteRole::Assumed};
+
+inline constexpr NoteCode twoFeeds{
+    "two_feeds", Severity::Warning,
+    LT_TEXT(
+        "Engine",
+        "{path}: marks of two feeds lie in the picture, {pitch} and {second_pitch} {unit} apart, in different parts "
+        "of it. Chatter was not looked for; evaluate each part by itself with a region.")};
+
+inline constexpr NoteCode lessThanOneWave{
+    "less_than_one_wave", Severity::Warning,
+    LT_TEXT("Engine",
+            "{path}: a pattern of {waves} waves in a revolution was found. Less than one is no vibration of the cut; "
+            "light, a second feed or the scale make it.")};
 
 inline constexpr NoteCode scaleUnknown{"scale_unknown", Severity::Info,
                                        LT_TEXT("Engine", "{path}: no scale is given; lengths are in pixels only.")};

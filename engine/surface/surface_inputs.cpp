@@ -40,11 +40,13 @@ Unrolling unrollingOf(const SurfaceParameters& p)
 
 std::pair<std::optional<double>, ScaleSource> givenScale(const SurfaceParameters& p)
 {
-    const int given = (p.mm_per_px ? 1 : 0) + (p.scale_px_mm.empty() ? 0 : 1) + (p.scale_from_feed ? 1 : 0);
+    const int given = (p.mm_per_px ? 1 : 0) + (p.scale_px_mm.empty() ? 0 : 1) + (p.scale_from_feed ? 1 : 0) +
+                      (p.scale_from_file ? 1 : 0);
     if (given > 1) refuseValue("mm_per_px", Value(), LT_TEXT("Engine", "one scale only"));
     if (p.scale_from_feed && !p.feed_mm_rev)
         refuseValue("scale_from_feed", Value(true), LT_TEXT("Engine", "a feed beside it"));
     if (p.scale_from_feed) return {std::nullopt, ScaleSource::Feed};
+    if (p.scale_from_file) return {std::nullopt, ScaleSource::File};
     if (p.mm_per_px) return {p.mm_per_px, ScaleSource::Given};
     if (p.scale_px_mm.empty()) return {std::nullopt, ScaleSource::None};
     const std::size_t colon = std::min(p.scale_px_mm.find(':'), p.scale_px_mm.size());

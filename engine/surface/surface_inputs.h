@@ -19,8 +19,8 @@ struct Unrolling {
 /// Error valueNotUnderstood.
 Unrolling unrollingOf(const SurfaceParameters& parameters);
 
-/// The scale that is given, in mm per pixel of the file. Errors valueNotUnderstood (two scales, no feed for a scale
-/// from it).
+/// The scale that is given, in mm per pixel of the file; that of a file or from the feed is found later. Errors
+/// valueNotUnderstood (two scales, no feed for a scale from it).
 std::pair<std::optional<double>, ScaleSource> givenScale(const SurfaceParameters& parameters);
 
 /// Errors of parameter combinations.

@@ -52,6 +52,9 @@ const std::vector<Field<SurfaceParameters>>& fieldsOf(const SurfaceParameters*)
         field("scale_from_feed", &P::scale_from_feed,
               {LT_TEXT("Engine", "Scale from the feed"),
                LT_TEXT("Engine", "The pitch of the marks is the feed, and checks nothing then.")}),
+        field("scale_from_file", &P::scale_from_file,
+              {LT_TEXT("Engine", "Scale from the file"),
+               LT_TEXT("Engine", "The size of a pixel that the picture's file states, as microscopes write it.")}),
         field("unroll", &P::unroll,
               {LT_TEXT("Engine", "Unroll"),
                LT_TEXT("Engine",
@@ -121,6 +124,7 @@ const char* key(ScaleSource source)
         case ScaleSource::Given: return "given";
         case ScaleSource::ScaleBar: return "scale_bar";
         case ScaleSource::Feed: return "feed";
+        case ScaleSource::File: return "file";
     }
     return "";
 }

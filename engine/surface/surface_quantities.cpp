@@ -81,7 +81,8 @@ const std::vector<QuantityOf<ImageMarks>>& quantitiesOf(const ImageMarks*)
         quantity<R>("threshold", &R::threshold, {LT_TEXT("Engine", "Threshold of significance"), {}, 1}),
         quantity<R>("largest_significance", &R::largest_significance,
                     {LT_TEXT("Engine", "Largest significance"), {}, 1}),
-        part<R>("feed_marks", &R::feed_marks), part<R>("chatter_marks", &R::chatter_marks),
+        part<R>("feed_marks", &R::feed_marks), part<R>("second_feed_marks", &R::second_feed_marks),
+        part<R>("chatter_marks", &R::chatter_marks),
         quantity<R>("detection_limit_relative_to_feed", &R::detection_limit_relative_to_feed,
                     {LT_TEXT("Engine", "Chatter would be seen from"), {}, 3}),
         quantity<R>("verdict", [](const R& marks) { return std::string(key(marks.verdict)); }));

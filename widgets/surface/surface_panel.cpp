@@ -22,9 +22,9 @@ const std::vector<std::string> roles{surface::beforeRole, surface::afterRole, st
 // clang-format off
 const std::vector<std::string> shownFields{
     "feed_mm_rev", "diameter_mm", surface::speedBeforeKey, surface::speedAfterKey, "mm_per_px", "scale_px_mm",
-    "scale_from_feed", "feed_direction_deg", "cut_direction", "unroll", "lighting", "taken_alike", "after_mm_per_px",
-    "after_feed_direction_deg", surface::layRightKey, surface::layDownKey, "expect_hz", surface::makeKey, "axis_px",
-    "roi", "alpha", "speed_uncertainty_percent"};
+    "scale_from_feed", "scale_from_file", "feed_direction_deg", "cut_direction", "unroll", "lighting", "taken_alike",
+    "after_mm_per_px", "after_feed_direction_deg", surface::layRightKey, surface::layDownKey, "expect_hz",
+    surface::makeKey, "axis_px", "roi", "alpha", "speed_uncertainty_percent"};
 // clang-format on
 
 /// One picture before, which can be made, and one after.
@@ -142,6 +142,7 @@ void SurfacePanel::setScale(int image, double pixels, double mm)
                        QStringLiteral("%1:%2").arg(pixels, 0, 'f', 2).arg(mm, 0, 'g', 9).toStdString());
         lathelier::set(state.parameters, "mm_per_px", Value());
         lathelier::set(state.parameters, "scale_from_feed", false);
+        lathelier::set(state.parameters, "scale_from_file", false);
     });
 }
 

@@ -41,12 +41,27 @@ Json rowsJson(const Shaft& shaft)
     return rows;
 }
 
+/// Of each mark what is set.
+Json marksJson(const Shaft& shaft)
+{
+    Json marks = Json::array();
+    for (const ShaftMark& mark : shaft.marks) {
+        Json one = Json::object();
+        for (const auto& [name, value] : toValues(mark))
+            if (!std::holds_alternative<std::monostate>(value)) one[name] = toJson(value);
+        marks.push_back(one);
+    }
+    return marks;
+}
+
 /// What a STEP file holds beside the shaft.
 void addStep(Json& json, const StepPart& part)
 {
     json["axis"] = {{"point_mm", {part.free_end_mm.x(), part.free_end_mm.y(), part.free_end_mm.z()}},
                     {"direction", {part.axis.x(), part.axis.y(), part.axis.z()}}};
     json["solid_volume_mm3"] = part.volume_mm3;
+    json["cut_volume_mm3"] = part.cut_mm3;
+    json["named_cut_volume_mm3"] = part.named_mm3;
     json["other_faces"] = Json::array();
     for (const OtherFace& face : part.other_faces)
         json["other_faces"].push_back({{"kind", face.kind.english},
@@ -67,7 +82,7 @@ Json jsonOf(const DrawOutcome& outcome)
     json["mass_kg"] = outcome.mass_kg ? Json(*outcome.mass_kg) : Json(nullptr);
     json["segments"] = rowsJson(shaft);
     json["bores"] = static_cast<std::int64_t>(shaft.bores.size());
-    json["marks"] = static_cast<std::int64_t>(shaft.marks.size());
+    json["marks"] = marksJson(shaft);
     json["steps"] = stepsJson(shaft);
     return json;
 }

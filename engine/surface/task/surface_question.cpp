@@ -49,8 +49,8 @@ const std::vector<Field<SurfaceQuestion>>& fieldsOf(const SurfaceQuestion*)
     static const std::vector<Field<Q>> all = withKept(described<Q>(
         within(&Q::surface, "feed_mm_rev"), within(&Q::surface, "diameter_mm"), within(&Q::surface, "speed_rpm"),
         within(&Q::surface, "mm_per_px"), within(&Q::surface, "scale_px_mm"), within(&Q::surface, "scale_from_feed"),
-        within(&Q::surface, "unroll"), within(&Q::surface, "axis_px"), within(&Q::surface, "roi"),
-        within(&Q::surface, "feed_direction_deg"), within(&Q::surface, "cut_direction"),
+        within(&Q::surface, "scale_from_file"), within(&Q::surface, "unroll"), within(&Q::surface, "axis_px"),
+        within(&Q::surface, "roi"), within(&Q::surface, "feed_direction_deg"), within(&Q::surface, "cut_direction"),
         within(&Q::surface, "expect_hz"), within(&Q::surface, "alpha"),
         within(&Q::surface, "speed_uncertainty_percent"),
         field(speedBeforeKey, &Q::speed_before_rpm, Range{1, 100000},
@@ -136,6 +136,7 @@ SurfaceParameters parametersOf(const SurfaceQuestion& question, std::size_t pict
         p.mm_per_px = made.mm_per_px;
         p.scale_px_mm.clear();
         p.scale_from_feed = false;
+        p.scale_from_file = false;
         p.feed_direction_deg = made.feed_direction_deg;
         p.cut_direction = made.cut;
         p.axis_px.reset();

@@ -139,7 +139,8 @@ TEST(StepReader, AFlatIsARemark)
     EXPECT_EQ(text(part.other_faces[0].kind), "plane");
     EXPECT_NEAR(part.other_faces[0].area_mm2, 40 * 2 * std::sqrt(19.0), 1e-6);
     ASSERT_EQ(part.shaft.marks.size(), 1U);
-    EXPECT_EQ(part.shaft.marks[0].kind, MarkKind::FreeForm);
+    EXPECT_EQ(part.shaft.marks[0].kind, MarkKind::Flat);
+    EXPECT_NEAR(*part.shaft.marks[0].distance_mm, 9, 1e-9);
     EXPECT_NEAR(*part.shaft.marks[0].z_end_mm, 40, 1e-9);
     const double angle = std::acos(0.9);
     EXPECT_NEAR(part.volume_mm3, 40 * (100 * std::numbers::pi - 100 * angle + 9 * std::sqrt(19.0)), 1e-6);
@@ -152,7 +153,7 @@ TEST(StepReader, WhatIsNoTurnedPartIsRefused)
     EXPECT_EQ(refusal(bar.text()), (Refusal{"not_a_body_of_revolution", "faceted"}));
     ForeignStep block(somewhere());
     block.extrude(box(20, 30), 0, 40);
-    EXPECT_EQ(refusal(block.text()), (Refusal{"not_a_body_of_revolution", "faceted"}));
+    EXPECT_EQ(refusal(block.text()), (Refusal{"not_a_body_of_revolution", "prismatic"}));
     ForeignStep half;
     half.extrude(flattened(10, 1), 0, 40);
     EXPECT_EQ(refusal(half.text()), (Refusal{"not_a_body_of_revolution", "not_round"}));

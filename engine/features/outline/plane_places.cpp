@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "engine/core/statistics.h"
+#include "engine/features/outline/edge_loss.h"
+#include "engine/features/outline/end_rows.h"
 #include "engine/features/outline/outline_limits.h"
 
 namespace lathelier::features {
@@ -292,12 +294,12 @@ public:
         const std::size_t index = start ? 0 : 1;
         if (input_.bore) {
             ++sought_;
-        } else if (placeByFace(plane, planeLimits.end_face_share * radius, radius)) {
+        } else if (placeByFace(plane, planeLimits.end_face_share * radius, radius, edgeLimits.least_end_face_density)) {
             outline_.face_seen[index] = true;
             return;
         }
-        if (run.elements.front().rough) return;
-        outline_.ends[index] = endOf(input_.cloud, model_, run, start, input_.scanner);
+        outline_.ends[index] = input_.scanner && !input_.bore ? endInRows(start) : std::nullopt;
+        if (!outline_.ends[index] && !run.elements.front().rough) outline_.ends[index] = endOfWall(run, start);
         if (const auto& end = outline_.ends[index]) move(plane, end->place.z_mm, end->place.sigma_mm);
     }
 
@@ -326,10 +328,29 @@ private:
                       : std::abs(startRadius_mm(b) - endRadius_mm(a));
     }
 
-    bool placeByFace(Plane& plane, double inner_mm, double outer_mm)
+    std::optional<EndPlace> endInRows(bool start) const
+    {
+        const auto rows = endOfRows(input_.cloud, model_, start, *input_.scanner);
+        if (!rows) return std::nullopt;
+        return EndPlace{{rows->z_mm, rows->sigma_mm, 0}, rows->log_ratio, rows->from_mm, rows->to_mm};
+    }
+
+    /// The end of a wall whose face is not seen. Without rows of rays the scan may lose points beside its edge.
+    std::optional<EndPlace> endOfWall(const Run& run, bool start) const
+    {
+        auto place = endOf(input_.cloud, model_, run, start);
+        if (!place) return std::nullopt;
+        // Both ends lose alike: U of the length, of two such ends, holds the loss of both.
+        if (!input_.scanner && !input_.bore)
+            place->sigma_mm = std::hypot(place->sigma_mm, lossAtEdges_mm(input_.cloud, model_) / std::numbers::sqrt2);
+        return EndPlace{*place, 0, place->z_mm - 2 * place->sigma_mm, place->z_mm + 2 * place->sigma_mm};
+    }
+
+    bool placeByFace(Plane& plane, double inner_mm, double outer_mm, double sparser = edgeLimits.least_face_density)
     {
         ++sought_;
-        const auto face = seenFace(input_.cloud, plane.z_mm, inner_mm, outer_mm, model_.sigma_mm, density_per_mm2_);
+        const auto face =
+            seenFace(input_.cloud, plane.z_mm, inner_mm, outer_mm, model_.sigma_mm, density_per_mm2_ / sparser);
         if (!face) return false;
         move(plane, face->z_mm, face->sigma_mm);
         ++faces_;

@@ -50,9 +50,10 @@ inline constexpr NoteCode endNotSeen{
 
 inline constexpr NoteCode endUndecided{
     "end_undecided", Severity::Warning,
-    LT_TEXT("Engine",
-            "Whether the part ends where the data do is not decided at the {end}: if so, from z {from_mm:3} to {to_mm:3} "
-            "mm. The length is not known; state it to confirm the end.")};
+    LT_TEXT(
+        "Engine",
+        "Whether the part ends where the data do is not decided at the {end}: if so, from z {from_mm:3} to {to_mm:3} "
+        "mm. The length is not known; state it to confirm the end.")};
 
 inline constexpr NoteCode endConfirmed{
     "end_confirmed", Severity::Info,

@@ -258,8 +258,7 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
     result.points_used = static_cast<std::int64_t>(points.size());
 
     const Progress fitting = progress.part(0.6, 1, LT_TEXT("Engine", "Segments"));
-    PartFit found =
-        fitPart({points, fit, meridian, cuts, now.scene.support, parameters.form_tolerance_mm}, fitting);
+    PartFit found = fitPart({points, fit, meridian, cuts, now.scene.support, parameters.form_tolerance_mm}, fitting);
     result.notes.insert(result.notes.end(), found.notes.begin(), found.notes.end());
     result.variance_ratio = found.structure.variance_ratio;
     const AddedUncertainty added = addedUncertainty(fit.coverage_deg, found.structure, result);

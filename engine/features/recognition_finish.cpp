@@ -61,8 +61,8 @@ void describeEnds(const Outline& outline, Recognition& result)
         else if (closure.state == EndState::Data)
             result.notes.push_back({notes::endNotSeen, {{"end", name}, {"z_mm", end.z_mm}}});
         else if (closure.state == EndState::Undecided)
-            result.notes.push_back({notes::endUndecided,
-                                    {{"end", name}, {"from_mm", end.span_mm->from}, {"to_mm", end.span_mm->to}}});
+            result.notes.push_back(
+                {notes::endUndecided, {{"end", name}, {"from_mm", end.span_mm->from}, {"to_mm", end.span_mm->to}}});
         result.ends.push_back(end);
     }
     result.length_uncertainty_mm = 2 * scale * std::hypot(model.planes.front().sigma_mm, model.planes.back().sigma_mm);

@@ -13,7 +13,7 @@ namespace {
 struct WallBesideEdge {
     const Run* run = nullptr;
     double edge_mm = 0;
-    double side = 1;                  ///< +1: the wall lies behind the edge
+    double side = 1;                   ///< +1: the wall lies behind the edge
     std::vector<double> distances_mm;  ///< of its points from the edge
 };
 
@@ -54,8 +54,7 @@ double lossAtEdges_mm(const MeridianCloud& cloud, const Model& model)
         constexpr std::size_t last = edgeLossLimits.last_points;
         std::nth_element(distances.begin(), distances.begin() + (last - 1), distances.end());
         // Points that lie evenly come as near as this by chance.
-        const double even =
-            edgeLossLimits.reach_mm * static_cast<double>(last) / static_cast<double>(distances.size());
+        const double even = edgeLossLimits.reach_mm * static_cast<double>(last) / static_cast<double>(distances.size());
         losses.push_back(std::max(0.0, distances[last - 1] - even));
     }
     return losses.empty() ? edgeLossLimits.assumed_mm : upperMedianInPlace(losses);

@@ -233,8 +233,7 @@ std::optional<PlanePlace> seenFace(const MeridianCloud& cloud, double z_mm, doub
         if (std::abs(z - z_mm) < reach && r > low && r < high) heights.push_back(z);
     }
     const double area = std::numbers::pi * (high * high - low * low);
-    if (heights.size() < limits.least_face_points ||
-        static_cast<double>(heights.size()) < least_per_mm2 * area)
+    if (heights.size() < limits.least_face_points || static_cast<double>(heights.size()) < least_per_mm2 * area)
         return std::nullopt;
     for (int round = 0; round < limits.face_rounds; ++round) {
         const double middle = upperMedianInPlace(heights);
@@ -249,9 +248,16 @@ std::optional<PlanePlace> seenFace(const MeridianCloud& cloud, double z_mm, doub
     return PlanePlace{z_mm + mean, std::sqrt(squares / n / n + limits.face_floor_mm2), 0};
 }
 
-std::optional<PlanePlace> endOf(const MeridianCloud& cloud, const Model& model, const Run& run, bool start)
+std::optional<EndPlace> endOf(const MeridianCloud& cloud, const Model& model, const Run& run, bool start,
+                              double loss_mm)
 {
-    return EndSearch(cloud, model, run, start).find();
+    const auto place = EndSearch(cloud, model, run, start).find();
+    if (!place) return std::nullopt;
+    EndPlace found{*place};
+    found.place.sigma_mm = std::hypot(place->sigma_mm, loss_mm / std::numbers::sqrt2);
+    found.from_mm = place->z_mm - 2 * found.place.sigma_mm;
+    found.to_mm = place->z_mm + 2 * found.place.sigma_mm;
+    return found;
 }
 
 }  // namespace lathelier::features

@@ -28,13 +28,15 @@ std::optional<PlanePlace> seenFace(const MeridianCloud& cloud, double z_mm, doub
 
 /// An end of the hits.
 struct EndPlace {
-    PlanePlace place;
-    double log_ratio = 0;  ///< ln of the evidence for the part's end to that for the end of the data; 0: none
-    double from_mm = 0, to_mm = 0;  ///< interval in which the part's end lies, if it is one
+    PlanePlace place;               ///< of the part's end, if it is one
+    double log_ratio = 0;           ///< ln of the evidence for the part's end to that for the end of the data; 0: none
+    double from_mm = 0, to_mm = 0;  ///< 95 % interval in which the part's end lies, if it is one
 };
 
 /// The end of the hits on the wall of a run, where no rows tell it (end_rows.h): a Poisson process of constant density
-/// that ends in a ramp of width `spot_mm`.
-std::optional<PlanePlace> endOf(const MeridianCloud& cloud, const Model& model, const Run& run, bool start);
+/// that ends in a ramp of width `spot_mm`. Points within `loss_mm` of the edge may be missing: both ends lose alike, so
+/// that U of the length holds the loss of both.
+std::optional<EndPlace> endOf(const MeridianCloud& cloud, const Model& model, const Run& run, bool start,
+                              double loss_mm);
 
 }  // namespace lathelier::features

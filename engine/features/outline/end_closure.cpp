@@ -42,7 +42,8 @@ EndShape shapeAt(const Model& model, bool start)
         if (half_angle_deg < closureLimits.chamfer_half_angle_deg) return shape;
         shape.name = "chamfer";
     }
-    if (drop < closureLimits.least_drop_sigmas * model.sigma_mm || along < closureLimits.least_length_mm) return shape;
+    const double least = std::max(closureLimits.least_drop_mm, closureLimits.least_drop_sigmas * model.sigma_mm);
+    if (drop < least || along < closureLimits.least_length_mm) return shape;
     shape.log_ratio = std::max(0.0, std::log(closureLimits.shaped_ends * whole / along));
     return shape;
 }
@@ -75,7 +76,7 @@ EndClosure closureOf(const Outline& outline, bool start, double variance_ratio)
         // Between jaws the last of the part may be hidden in all directions.
         found.state = EndState::Data;
     } else {
-        const double evidence = shape.log_ratio + (end ? end->log_ratio : 0);
+        const double evidence = closureLimits.whole_scans + shape.log_ratio + (end ? end->log_ratio : 0);
         if (evidence >= closureLimits.decisive)
             found.state = EndState::Part;
         else if (evidence <= -closureLimits.decisive)

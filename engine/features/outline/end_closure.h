@@ -14,7 +14,7 @@ enum class EndState {
 struct EndClosure {
     EndState state = EndState::Undecided;
     const char* shape = "edge";  ///< what closes the part, if it ends here: face | chamfer | round | edge
-    bool is_whole = false;       ///< the shape is a whole chamfer or round, or reaches the axis: no part of a longer row
+    bool is_whole = false;  ///< the shape is a whole chamfer or round, or reaches the axis: no part of a longer row
     double from_mm = 0, to_mm = 0;  ///< in the frame of the fit: where the part's end lies, if it is one
 };
 
@@ -23,8 +23,8 @@ struct EndClosure {
 EndClosure closureOf(const Outline& outline, bool start, double variance_ratio);
 
 /// Moves an end that the data leave open to where a stated length puts it, and marks it so. An end that was decided
-/// stays, and so does a round; a cone goes on with its angle. Errors: lengthAgainstData: the length differs from that of
-/// the data by more than its U and the spans of open ends, and no open end is one that the part may go on from.
+/// stays, and so does a round; a cone goes on with its angle. Errors: lengthAgainstData: the length differs from that
+/// of the data by more than its U and the spans of open ends, and no open end is one that the part may go on from.
 void applyStatedLength(double length_mm, double variance_ratio, Outline& outline);
 
 }  // namespace lathelier::features

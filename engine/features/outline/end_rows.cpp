@@ -21,15 +21,16 @@ struct RowHit {
 };
 
 struct ScannedRow {
-    double row_mm = 0;                           ///< as RowHit::row_mm
-    std::array<double, rowSectors> hits{};       ///< number of hits
-    double all = 0;                              ///< hits of all sectors
+    double row_mm = 0;                      ///< as RowHit::row_mm
+    std::array<double, rowSectors> hits{};  ///< number of hits
+    double all = 0;                         ///< hits of all sectors
 };
 
 /// Radii within which a point is a hit, along the height.
 class HitBand {
 public:
-    HitBand(const Model& model, double guess_mm, double sign, double from_mm, double to_mm) : from_mm_(from_mm)
+    HitBand(const Model& model, double guess_mm, double sign, double from_mm, double to_mm)
+        : from_mm_(from_mm), sign_(sign)
     {
         constexpr double step = endRowLimits.band_step_mm;
         const auto count = static_cast<std::size_t>((to_mm - from_mm) / step) + 2;
@@ -56,19 +57,26 @@ public:
     }
 
 private:
-    static std::pair<double, double> radiiAt(const Model& model, double z_mm)
+    std::pair<double, double> radiiAt(const Model& model, double z_mm) const
     {
         const Run* run = &model.runs.front();
         for (const Run& one : model.runs)
             if (one.nodes_mm.front() <= z_mm) run = &one;
         const double at = std::clamp(z_mm, run->nodes_mm.front(), run->nodes_mm.back());
         const Element& first = run->elements.front();
-        if (first.rough) return {std::min(first.root_mm, first.level_mm), first.level_mm};
+        // The chamfer of a thread may be no row of its own.
+        if (first.rough) return {std::min(first.root_mm, first.level_mm) - endRowLimits.below_root_mm, first.level_mm};
         const double r = radiusAt_mm(*run, at);
+        // A round falls to the radius of its centre where it is upright, wherever the end was estimated.
+        const Element& last = sign_ < 0 ? model.runs.front().elements.front() : model.runs.back().elements.back();
+        const bool is_round = last.arc && last.convex;
+        const double upright = last.centre_z_mm + sign_ * last.radius_mm();
+        if (is_round && (z_mm - upright) * sign_ > -endRowLimits.upright_reach_mm)
+            return {std::min(r, std::max(0.0, last.centre_r_mm)), r};
         return {r, r};
     }
 
-    double from_mm_;
+    double from_mm_, sign_;
     std::vector<std::pair<double, double>> band_;  ///< every endRowLimits.band_step_mm
 };
 
@@ -87,7 +95,7 @@ public:
         collect(cloud, HitBand(model, guess_mm_, sign_, -depth_mm_, endRowLimits.beyond_mm));
     }
 
-    std::optional<EndOfRows> find()
+    std::optional<EndPlace> find()
     {
         if (!makeRows() || !countWhole()) return std::nullopt;
         addEmptyRows();
@@ -133,8 +141,8 @@ private:
             sizes.push_back(row.all);
         }
         if (sizes.size() < endRowLimits.least_rows) return false;
-        const double least = std::max(endRowLimits.least_row_hits,
-                                      endRowLimits.least_row_share * upperMedianInPlace(sizes));
+        const double least =
+            std::max(endRowLimits.least_row_hits, endRowLimits.least_row_share * upperMedianInPlace(sizes));
         std::erase_if(rows_, [&](const ScannedRow& row) { return row.all < least; });
         // The first rows are cut by the depth, obliquely.
         const double whole_from = -depth_mm_ + swing_mm_;
@@ -201,8 +209,8 @@ private:
     {
         const double last = rows_.back().row_mm;
         const double reach = 2 * swing_mm_ + endRowLimits.widths_mm.back() + 2 * pitch_mm_;
-        used_ = rows_.size();
-        for (double row = last + pitch_mm_; row <= last + reach && rows_.size() < used_ + endRowLimits.most_empty_rows;
+        const std::size_t used = rows_.size();
+        for (double row = last + pitch_mm_; row <= last + reach && rows_.size() < used + endRowLimits.most_empty_rows;
              row += pitch_mm_) {
             rows_.emplace_back();
             rows_.back().row_mm = row;
@@ -214,8 +222,8 @@ private:
     double logCell(std::size_t k, std::size_t s, double p) const
     {
         const double n = whole_[s], c = std::min(rows_[k].hits[s], n);
-        const double log_binomial = std::lgamma(n + 1) - std::lgamma(c + 1) - std::lgamma(n - c + 1) +
-                                    c * std::log(p) + (n - c) * std::log(1 - p);
+        const double log_binomial = std::lgamma(n + 1) - std::lgamma(c + 1) - std::lgamma(n - c + 1) + c * std::log(p) +
+                                    (n - c) * std::log(1 - p);
         constexpr double odd = endRowLimits.odd_cells;
         return std::log((1 - odd) * std::exp(log_binomial) + odd / (n + 1));
     }
@@ -250,7 +258,7 @@ private:
         return sum;
     }
 
-    EndOfRows decide()
+    EndPlace decide()
     {
         for (std::size_t k = 0; k < rows_.size(); ++k) {
             allHit_.push_back(k < first_ ? 0 : logRow(k, hit_));
@@ -273,14 +281,14 @@ private:
             for (const double width : endRowLimits.widths_mm) of_width.push_back(logPart(height, width));
             part.push_back(logSum(of_width) - std::log(static_cast<double>(of_width.size())));
         }
-        EndOfRows found;
+        EndPlace found;
         found.log_ratio = logSum(part) + std::log(step) - logSum(data);
         summarise(part, from, found);
         return found;
     }
 
     /// Mean, standard deviation and interval of the posterior of the part's end.
-    void summarise(const std::vector<double>& part, double from, EndOfRows& found) const
+    void summarise(const std::vector<double>& part, double from, EndPlace& found) const
     {
         constexpr double step = endRowLimits.place_step_mm;
         const double all = logSum(part);
@@ -293,9 +301,9 @@ private:
             if (sum < 1 - endRowLimits.tail_share) high = height + step / 2;
             sum += weight;
         }
-        found.z_mm = guess_mm_ + sign_ * mean;
-        found.sigma_mm = std::sqrt(std::max(0.0, squares - mean * mean) + step * step / 12 +
-                                   endRowLimits.place_floor_mm2);
+        found.place.z_mm = guess_mm_ + sign_ * mean;
+        found.place.sigma_mm =
+            std::sqrt(std::max(0.0, squares - mean * mean) + step * step / 12 + endRowLimits.place_floor_mm2);
         const double a = guess_mm_ + sign_ * low, b = guess_mm_ + sign_ * high;
         found.from_mm = std::min(a, b);
         found.to_mm = std::max(a, b);
@@ -310,20 +318,20 @@ private:
     }
 
     double sign_, guess_mm_, radius_mm_;
-    Eigen::Vector2d tilt_;                     ///< of the rows: height per radius
-    double depth_mm_ = 0, swing_mm_ = 0;       ///< half of the height that a row covers around the end
-    std::vector<RowHit> hits_;                 ///< in order of height
-    std::vector<ScannedRow> rows_;             ///< likewise; those beyond the last hits are empty
-    std::size_t first_ = 0, used_ = 0;         ///< first row that may be incomplete; number with hits
-    std::array<double, rowSectors> whole_{};   ///< hits of a whole row; 0: the sector does not count
-    double hit_ = 1, pitch_mm_ = 0;            ///< share of the rays of a whole row that hit
-    std::vector<double> allHit_, noneHit_;     ///< ln likelihood of each row when all its rays hit, or none
+    Eigen::Vector2d tilt_;                    ///< of the rows: height per radius
+    double depth_mm_ = 0, swing_mm_ = 0;      ///< half of the height that a row covers around the end
+    std::vector<RowHit> hits_;                ///< in order of height
+    std::vector<ScannedRow> rows_;            ///< likewise; those beyond the last hits are empty
+    std::size_t first_ = 0;                   ///< first row that may be incomplete
+    std::array<double, rowSectors> whole_{};  ///< hits of a whole row; 0: the sector does not count
+    double hit_ = 1, pitch_mm_ = 0;           ///< share of the rays of a whole row that hit
+    std::vector<double> allHit_, noneHit_;    ///< ln likelihood of each row when all its rays hit, or none
 };
 
 }  // namespace
 
-std::optional<EndOfRows> endOfRows(const MeridianCloud& cloud, const Model& model, bool start,
-                                   const registration::ScannerAxis& scanner)
+std::optional<EndPlace> endInRows(const MeridianCloud& cloud, const Model& model, bool start,
+                                  const registration::ScannerAxis& scanner)
 {
     return RowsAtEnd(cloud, model, start, scanner).find();
 }

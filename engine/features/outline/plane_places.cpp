@@ -298,9 +298,11 @@ public:
             outline_.face_seen[index] = true;
             return;
         }
-        outline_.ends[index] = input_.scanner && !input_.bore ? endInRows(start) : std::nullopt;
-        if (!outline_.ends[index] && !run.elements.front().rough) outline_.ends[index] = endOfWall(run, start);
-        if (const auto& end = outline_.ends[index]) move(plane, end->place.z_mm, end->place.sigma_mm);
+        std::optional<EndPlace>& found = outline_.ends[index];
+        found.reset();
+        if (input_.scanner && !input_.bore) found = endInRows(input_.cloud, model_, start, *input_.scanner);
+        if (!found && !run.elements.front().rough) found = endOf(input_.cloud, model_, run, start, lossAtEnds_mm());
+        if (found) move(plane, found->place.z_mm, found->place.sigma_mm);
     }
 
     /// A scan that shows most faces sees no edges: walls beside them do not count.
@@ -328,22 +330,12 @@ private:
                       : std::abs(startRadius_mm(b) - endRadius_mm(a));
     }
 
-    std::optional<EndPlace> endInRows(bool start) const
+    /// Without rows of rays a scan may lose points beside edges whose faces it does not see.
+    double lossAtEnds_mm() const
     {
-        const auto rows = endOfRows(input_.cloud, model_, start, *input_.scanner);
-        if (!rows) return std::nullopt;
-        return EndPlace{{rows->z_mm, rows->sigma_mm, 0}, rows->log_ratio, rows->from_mm, rows->to_mm};
-    }
-
-    /// The end of a wall whose face is not seen. Without rows of rays the scan may lose points beside its edge.
-    std::optional<EndPlace> endOfWall(const Run& run, bool start) const
-    {
-        auto place = endOf(input_.cloud, model_, run, start);
-        if (!place) return std::nullopt;
-        // Both ends lose alike: U of the length, of two such ends, holds the loss of both.
-        if (!input_.scanner && !input_.bore)
-            place->sigma_mm = std::hypot(place->sigma_mm, lossAtEdges_mm(input_.cloud, model_) / std::numbers::sqrt2);
-        return EndPlace{*place, 0, place->z_mm - 2 * place->sigma_mm, place->z_mm + 2 * place->sigma_mm};
+        if (input_.scanner || input_.bore) return 0;
+        const double spacing = density_per_mm2_ > 0 ? 1 / std::sqrt(density_per_mm2_) : 0;
+        return std::max(lossAtEdges_mm(input_.cloud, model_), spacing / 2);
     }
 
     bool placeByFace(Plane& plane, double inner_mm, double outer_mm, double sparser = edgeLimits.least_face_density)

@@ -292,14 +292,16 @@ public:
         if (part_end != input_.part_ends.end())
             return move(plane, part_end->z_mm, std::max(planeLimits.part_end_floor_mm, part_end->sigma_mm));
         const std::size_t index = start ? 0 : 1;
+        // Rays across the axis see no face, and what lies between the crests of a thread is none.
+        const bool is_strict = input_.scanner || run.elements.front().rough;
+        const double sparser = is_strict ? edgeLimits.least_face_density : edgeLimits.least_end_face_density;
         if (input_.bore) {
             ++sought_;
-        } else if (placeByFace(plane, planeLimits.end_face_share * radius, radius, edgeLimits.least_end_face_density)) {
+        } else if (placeByFace(plane, planeLimits.end_face_share * radius, radius, sparser)) {
             outline_.face_seen[index] = true;
             return;
         }
-        std::optional<EndPlace>& found = outline_.ends[index];
-        found.reset();
+        auto& found = outline_.ends[index] = std::nullopt;
         if (input_.scanner && !input_.bore) found = endInRows(input_.cloud, model_, start, *input_.scanner);
         if (!found && !run.elements.front().rough) found = endOf(input_.cloud, model_, run, start, lossAtEnds_mm());
         if (found) move(plane, found->place.z_mm, found->place.sigma_mm);

@@ -1,9 +1,19 @@
-// Notes of the recognition: codes with their English patterns. {name} is replaced by the named value.
+// Errors and notes of the recognition: codes with their English patterns. {name} is replaced by the named value.
 #pragma once
 
 #include "engine/core/error.h"
 
 namespace lathelier {
+
+namespace errors {
+
+inline constexpr ErrorCode lengthAgainstData{
+    "length_against_data", ErrorKind::InputRejected,
+    LT_TEXT("Engine",
+            "The stated length of {length_mm:3} mm contradicts the data, which show {data_mm:3} ± {uncertainty_mm:3} "
+            "mm.")};
+
+}  // namespace errors
 
 namespace notes {
 
@@ -45,9 +55,17 @@ inline constexpr NoteCode endIsBall{
             "Within {unseen_diameter_mm} mm about the axis no points of it are seen: a small flat there would not be "
             "either.")};
 
+inline constexpr NoteCode endUndecided{
+    "end_undecided", Severity::Warning,
+    LT_TEXT(
+        "Engine",
+        "Whether the part ends where the data do is not decided at the {end}: if so, from z {from_mm:3} to {to_mm:3} "
+        "mm. The length is not known; state it to confirm the end.")};
+
 inline constexpr NoteCode endConfirmed{
     "end_confirmed", Severity::Info,
-    LT_TEXT("Engine", "The length of {length_mm} mm was stated; the data alone do not show the {end}.")};
+    LT_TEXT("Engine", "The length of {length_mm} mm was stated; the data alone do not show the {end}."),
+    NoteRole::Assumed};
 
 inline constexpr NoteCode segmentNotCoaxial{
     "segment_not_coaxial", Severity::Warning,

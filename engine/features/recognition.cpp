@@ -12,6 +12,7 @@
 #include "engine/features/outline/ball_ends.h"
 #include "engine/features/outline/bore_rows.h"
 #include "engine/features/outline/dimensions.h"
+#include "engine/features/outline/end_closure.h"
 #include "engine/features/outline/outline.h"
 #include "engine/features/paper_method.h"
 #include "engine/features/part_fit.h"
@@ -285,11 +286,11 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
     result.points_used = static_cast<std::int64_t>(points.size());
 
     const Progress fitting = progress.part(0.6, 1, LT_TEXT("Engine", "Segments"));
-    const PartFit found =
-        fitPart({points, fit, meridian, cuts, now.scene.support, parameters.form_tolerance_mm}, fitting);
+    PartFit found = fitPart({points, fit, meridian, cuts, now.scene.support, parameters.form_tolerance_mm}, fitting);
     result.notes.insert(result.notes.end(), found.notes.begin(), found.notes.end());
     result.variance_ratio = found.structure.variance_ratio;
     const AddedUncertainty added = addedUncertainty(fit.coverage_deg, found.structure, result);
+    if (parameters.length_mm) applyStatedLength(*parameters.length_mm, result.variance_ratio, found.outside);
     const double zero = found.zero_mm();
     takeOutside(found.outside, fit, added, result);
     if (found.bore) addSeenBores(*found.bore, zero, result.ends.back().z_mm, fit, added, result);

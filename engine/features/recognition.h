@@ -107,8 +107,13 @@ struct RecognizedFeature {
 struct RecognizedEnd {
     double z_mm = 0;            ///< from the free end
     double uncertainty_mm = 0;  ///< k = 2
-    std::string closed_by;      ///< face | chamfer | round | edge | data
+    std::string closed_by;      ///< face | chamfer | round | edge | data | undecided
+    /// Where the end lies; undecided: if the part ends there. None: the part goes on beyond the data.
+    std::optional<Interval> span_mm = {};
 };
+
+/// Is it an end of the part?
+bool isClosed(const RecognizedEnd& end);
 
 /// A stretch without data.
 struct Gap {
@@ -187,7 +192,8 @@ struct Recognition {
 };
 
 /// Errors: tooFewPoints, pointsDegenerate, notABodyOfRevolution, coverageTooSmall (registration); those of its
-/// parameters. Notes: sceneCut, endOnSupport, partIsBent, coverageBelowHalf, coveragePartial, gapInData, endNotSeen,
+/// parameters; lengthAgainstData. Notes: sceneCut, endOnSupport, partIsBent, coverageBelowHalf, coveragePartial,
+/// gapInData, endNotSeen, endUndecided, endConfirmed,
 /// segmentNotCoaxial, freeFormLeftOut… (features_codes.h). Throws Cancelled.
 Recognition recognize(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress = {});
 

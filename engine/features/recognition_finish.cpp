@@ -7,39 +7,11 @@
 #include "engine/features/nominal/agreeing_sizes.h"
 #include "engine/features/nominal/roles.h"
 #include "engine/features/nominal/snap.h"
+#include "engine/features/outline/end_closure.h"
 #include "engine/features/recognition_limits.h"
 
 namespace lathelier::features {
 namespace {
-
-/// Kind of closure of an end of the outside (RecognizedEnd::closed_by).
-std::string closedBy(const std::vector<RecognizedRow>& rows, bool start)
-{
-    const RecognizedRow& row = start ? rows.front() : rows.back();
-    const double toward_end = start ? row.half_angle_deg : -row.half_angle_deg;
-    if (row.kind == RowKind::Arc) return *row.arc_radius_mm > 0 ? "round" : "edge";
-    return row.kind == RowKind::Cone && toward_end > recognitionLimits.chamfer_half_angle_deg ? "chamfer" : "edge";
-}
-
-/// Is the end of the data an end of the part? Unknown counts as no, unless it follows a chamfer or a round.
-bool isPartEnd(const Outline& outline, bool start, const std::string& closed_by)
-{
-    const Plane& plane = start ? outline.model.planes.front() : outline.model.planes.back();
-    const auto is_any = [&](bool (Cut::*holds)(double) const) {
-        return std::any_of(outline.cuts.begin(), outline.cuts.end(),
-                           [&](const Cut& cut) { return (cut.*holds)(plane.z_mm); });
-    };
-    if (is_any(&Cut::isAtLimit)) return false;
-    if (outline.balls[start ? 0 : 1]) return true;
-    if (outline.face_seen[start ? 0 : 1]) return true;
-    // Between jaws the last of the part may be hidden in all directions.
-    if (is_any(&Cut::contains)) return false;
-    const auto& end = outline.ends[start ? 0 : 1];
-    if (!end) return closed_by != "edge";
-    if (end->tilt_share_sigma < recognitionLimits.tilt_share_sigma)
-        return end->tilt_share < recognitionLimits.tilt_share;
-    return closed_by != "edge";
-}
 
 /// Sizes whose U is larger than any size of interest are stated without it, with a note.
 void dropUndetermined(Recognition& result)
@@ -69,49 +41,40 @@ void dropUndetermined(Recognition& result)
 
 }  // namespace
 
+bool isClosed(const RecognizedEnd& end)
+{
+    return end.closed_by != "data" && end.closed_by != "undecided";
+}
+
 void describeEnds(const Outline& outline, Recognition& result)
 {
     const Model& model = outline.model;
     const double zero = model.planes.front().z_mm, scale = std::sqrt(result.variance_ratio);
-    bool seen[2];
     for (const bool start : {true, false}) {
         const Plane& plane = start ? model.planes.front() : model.planes.back();
+        const EndClosure closure = closureOf(outline, start, result.variance_ratio);
         RecognizedEnd end;
         end.z_mm = plane.z_mm - zero;
         end.uncertainty_mm = 2 * scale * plane.sigma_mm;
-        end.closed_by = outline.face_seen[start ? 0 : 1] ? "face" : closedBy(result.segments, start);
-        seen[start ? 0 : 1] = isPartEnd(outline, start, end.closed_by);
-        if (!seen[start ? 0 : 1]) end.closed_by = "data";
+        end.closed_by = closure.state == EndState::Part   ? closure.shape
+                        : closure.state == EndState::Data ? "data"
+                                                          : "undecided";
+        if (closure.state != EndState::Data) end.span_mm = Interval{closure.from_mm - zero, closure.to_mm - zero};
+        const Text name = start ? LT_TEXT("Engine", "free end") : LT_TEXT("Engine", "chuck end");
+        if (outline.end_stated[start ? 0 : 1])
+            result.notes.push_back({notes::endConfirmed, {{"length_mm", *result.parameters.length_mm}, {"end", name}}});
+        else if (closure.state == EndState::Data)
+            result.notes.push_back({notes::endNotSeen, {{"end", name}, {"z_mm", end.z_mm}}});
+        else if (closure.state == EndState::Undecided)
+            result.notes.push_back(
+                {notes::endUndecided, {{"end", name}, {"from_mm", end.span_mm->from}, {"to_mm", end.span_mm->to}}});
         result.ends.push_back(end);
     }
-    const double measured = model.planes.back().z_mm - zero;
     result.length_uncertainty_mm = 2 * scale * std::hypot(model.planes.front().sigma_mm, model.planes.back().sigma_mm);
-    if (seen[0] && seen[1]) result.length_mm = measured;
-    for (const bool start : {true, false}) {
-        if (seen[start ? 0 : 1]) continue;
-        const Text end = start ? LT_TEXT("Engine", "free end") : LT_TEXT("Engine", "chuck end");
-        if (result.parameters.length_mm)
-            result.notes.push_back({notes::endConfirmed, {{"length_mm", *result.parameters.length_mm}, {"end", end}}});
-        else
-            result.notes.push_back({notes::endNotSeen, {{"end", end}, {"z_mm", result.ends[start ? 0 : 1].z_mm}}});
-    }
-    if (!result.length_mm && result.parameters.length_mm) {
-        result.length_mm = result.parameters.length_mm;
-        // The unseen end is placed by the stated length.
-        const double missing = *result.parameters.length_mm - measured;
-        if (!seen[1] && !result.segments.empty()) {
-            result.segments.back().z_end_mm += missing;
-            result.ends[1].z_mm += missing;
-        } else if (!seen[0] && !result.segments.empty()) {
-            for (RecognizedRow& row : result.segments) {
-                row.z_start_mm += missing;
-                row.z_end_mm += missing;
-            }
-            result.segments.front().z_start_mm = 0;
-            for (RecognizedEnd& end : result.ends) end.z_mm += &end == &result.ends[1] ? missing : 0;
-        }
-    }
-    if (!result.length_mm) result.complete = false;
+    if (isClosed(result.ends[0]) && isClosed(result.ends[1]))
+        result.length_mm = model.planes.back().z_mm - zero;
+    else
+        result.complete = false;
 }
 
 void nameRoughRows(Recognition& result)

@@ -5,8 +5,8 @@
 
 namespace lathelier::features {
 
-/// Ends of the outside from its planes, the length, and for an unseen end the stated length; notes
-/// endConfirmed, endNotSeen. Before it: `segments`, `parameters`. Without a length `complete` becomes false.
+/// Ends of the outside from its planes, and the length; notes endConfirmed, endNotSeen, endUndecided. Before it:
+/// `parameters`, `variance_ratio`. Without a length `complete` becomes false.
 void describeEnds(const Outline& outline, Recognition& result);
 
 /// Rows that marks cover get their role, and over a knurl its diameter.

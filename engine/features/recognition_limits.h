@@ -36,11 +36,6 @@ struct RecognitionLimits {
     double coverage_factor = 2;         ///< of the shared errors that a row has to exceed
     double unproven_jump_u = 2.5;       ///< five standard errors: a lower jump between cylinders may be chance
 
-    // Ends.
-    double chamfer_half_angle_deg = 10;  ///< a cone that is steeper closes an end as a chamfer
-    double tilt_share = 0.5;             ///< an end that follows less of the tilt of the rows is the part's
-    double tilt_share_sigma = 0.25;      ///< with a larger uncertainty the tilt does not decide
-
     double flying_share = 0.05;  ///< of the points: largest number that counts as flying about the part
 };
 

@@ -71,8 +71,7 @@ RowsOnAxis placed(const std::vector<RecognizedRow>& rows, const Placing& placing
 std::array<bool, 2> endsSeen(const Recognition& measured)
 {
     std::array<bool, 2> seen{true, true};
-    for (std::size_t i = 0; i < std::min(seen.size(), measured.ends.size()); ++i)
-        seen[i] = measured.ends[i].closed_by != "data";
+    for (std::size_t i = 0; i < std::min(seen.size(), measured.ends.size()); ++i) seen[i] = isClosed(measured.ends[i]);
     return seen;
 }
 

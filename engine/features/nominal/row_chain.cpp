@@ -16,7 +16,7 @@ double inMillimetres(const std::optional<double>& value_um)
 
 bool isSeen(const Recognition& recognition, std::size_t end)
 {
-    return recognition.ends.size() <= end || recognition.ends[end].closed_by != "data";
+    return recognition.ends.size() <= end || isClosed(recognition.ends[end]);
 }
 
 bool isRelievedFace(const RowChain& chain, std::size_t i)

@@ -1,6 +1,5 @@
 #include "engine/features/outline/edges.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -93,16 +92,14 @@ public:
         collectHits(cloud);
     }
 
-    std::optional<EndPlace> find(const std::optional<registration::ScannerAxis>& scanner)
+    std::optional<PlanePlace> find()
     {
         if (hits_.size() < edgeLimits.least_end_hits || !findWholeSectors()) return std::nullopt;
         std::vector<double> used;
         for (const EndHit& hit : hits_)
             if (whole_[hit.sector]) used.push_back(hit.height);
         if (used.size() < edgeLimits.least_whole_hits) return std::nullopt;
-        EndPlace found{placeOfRamp(used)};
-        if (scanner) compareWithTilt(*scanner, found);
-        return found;
+        return placeOfRamp(used);
     }
 
 private:
@@ -179,34 +176,6 @@ private:
                 width};
     }
 
-    /// First harmonic of the last hits against the tilt of the scanner's rows.
-    void compareWithTilt(const registration::ScannerAxis& scanner, EndPlace& found) const
-    {
-        const double radius = start_ ? startRadius_mm(run_) : endRadius_mm(run_);
-        const Eigen::Vector2d tilt = -scanner.direction.head<2>() / scanner.direction.z() * radius;
-        Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-        Eigen::Vector3d right = Eigen::Vector3d::Zero();
-        std::vector<std::pair<Eigen::Vector3d, double>> rows;
-        for (std::size_t s = 0; s < endSectors; ++s) {
-            if (!whole_[s]) continue;
-            const double angle = 2 * std::numbers::pi * (static_cast<double>(s) + 0.5) / endSectors;
-            const Eigen::Vector3d row(1, std::cos(angle), std::sin(angle));
-            rows.emplace_back(row, sign_ * last_[s]);
-            normal += row * row.transpose();
-            right += row * sign_ * last_[s];
-        }
-        if (rows.size() < edgeLimits.least_tilt_sectors || tilt.norm() < edgeLimits.least_tilt_mm) return;
-        const Eigen::Vector3d fit = normal.ldlt().solve(right);
-        double scatter = 0;
-        for (const auto& [row, z] : rows) scatter += std::pow(z - row.dot(fit), 2);
-        scatter = std::sqrt(scatter / static_cast<double>(rows.size() - 3));
-        const Eigen::Matrix3d inverse = normal.inverse();
-        const Eigen::Vector2d along = tilt.normalized();
-        found.tilt_share = fit.tail<2>().dot(along) / tilt.norm();
-        found.tilt_share_sigma =
-            scatter * std::sqrt(along.dot(inverse.bottomRightCorner<2, 2>() * along)) / tilt.norm();
-    }
-
     const Model& model_;
     const Run& run_;
     bool start_;
@@ -250,7 +219,7 @@ std::optional<PlanePlace> placeOf(const registration::EdgeRays& edge)
 }
 
 std::optional<PlanePlace> seenFace(const MeridianCloud& cloud, double z_mm, double inner_mm, double outer_mm,
-                                   double sigma_mm, double walls_per_mm2)
+                                   double sigma_mm, double least_per_mm2)
 {
     const EdgeLimits& limits = edgeLimits;
     sigma_mm = std::max(sigma_mm, limits.least_noise_mm);
@@ -264,8 +233,7 @@ std::optional<PlanePlace> seenFace(const MeridianCloud& cloud, double z_mm, doub
         if (std::abs(z - z_mm) < reach && r > low && r < high) heights.push_back(z);
     }
     const double area = std::numbers::pi * (high * high - low * low);
-    if (heights.size() < limits.least_face_points ||
-        static_cast<double>(heights.size()) < walls_per_mm2 * area / limits.least_face_density)
+    if (heights.size() < limits.least_face_points || static_cast<double>(heights.size()) < least_per_mm2 * area)
         return std::nullopt;
     for (int round = 0; round < limits.face_rounds; ++round) {
         const double middle = upperMedianInPlace(heights);
@@ -281,9 +249,15 @@ std::optional<PlanePlace> seenFace(const MeridianCloud& cloud, double z_mm, doub
 }
 
 std::optional<EndPlace> endOf(const MeridianCloud& cloud, const Model& model, const Run& run, bool start,
-                              const std::optional<registration::ScannerAxis>& scanner)
+                              double loss_mm)
 {
-    return EndSearch(cloud, model, run, start).find(scanner);
+    const auto place = EndSearch(cloud, model, run, start).find();
+    if (!place) return std::nullopt;
+    EndPlace found{*place};
+    found.place.sigma_mm = std::hypot(place->sigma_mm, loss_mm / std::numbers::sqrt2);
+    found.from_mm = place->z_mm - 2 * found.place.sigma_mm;
+    found.to_mm = place->z_mm + 2 * found.place.sigma_mm;
+    return found;
 }
 
 }  // namespace lathelier::features

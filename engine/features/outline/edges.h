@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "engine/features/model/model.h"
-#include "engine/registration/revolution/scanner_axis.h"
 #include "engine/registration/revolution/shoulder_rays.h"
 
 namespace lathelier::features {
@@ -23,17 +22,21 @@ struct PlanePlace {
 /// fewer than 10 hits or misses. Heights are those of the edge (z times its sign).
 std::optional<PlanePlace> placeOf(const registration::EdgeRays& rays);
 
-/// A face between two radii, when its point density is at least a third of that of the walls.
+/// A face between two radii, when its point density is at least `least_per_mm2`.
 std::optional<PlanePlace> seenFace(const MeridianCloud& cloud, double z_mm, double inner_mm, double outer_mm,
-                                   double sigma_mm, double walls_per_mm2);
+                                   double sigma_mm, double least_per_mm2);
 
-/// End of the hits on a wall: a Poisson process of constant density that ends in a ramp of width `spot_mm`.
+/// An end of the hits.
 struct EndPlace {
-    PlanePlace place;
-    double tilt_share = 0;  ///< of the tilt of the scanner's rows that the end follows: 0 the part's, 1 the data's
-    double tilt_share_sigma = 1e9;  ///< its standard uncertainty; large where there is no tilt
+    PlanePlace place;               ///< of the part's end, if it is one
+    double log_ratio = 0;           ///< ln of the evidence for the part's end to that for the end of the data; 0: none
+    double from_mm = 0, to_mm = 0;  ///< 95 % interval in which the part's end lies, if it is one
 };
+
+/// The end of the hits on the wall of a run, where no rows tell it (end_rows.h): a Poisson process of constant density
+/// that ends in a ramp of width `spot_mm`. Points within `loss_mm` of the edge may be missing: both ends lose alike, so
+/// that U of the length holds the loss of both.
 std::optional<EndPlace> endOf(const MeridianCloud& cloud, const Model& model, const Run& run, bool start,
-                              const std::optional<registration::ScannerAxis>& scanner);
+                              double loss_mm);
 
 }  // namespace lathelier::features

@@ -10,6 +10,7 @@
 #include "engine/features/outline/edges.h"
 #include "engine/features/recognition.h"
 #include "engine/registration/revolution/revolution_axis.h"
+#include "engine/registration/revolution/scanner_axis.h"
 
 namespace lathelier::features {
 
@@ -59,6 +60,7 @@ struct Outline {
     std::optional<EndPlace> ends[2];     ///< at the first and the last plane; nullopt: not estimated
     bool face_seen[2] = {false, false};
     std::optional<double> balls[2];       ///< ends closed by their ball: diameter about the axis that is not seen
+    bool end_stated[2] = {false, false};  ///< the end lies where a person stated it
     std::vector<double> unsure_edges_mm;  ///< shoulders that hits and misses of rays do not place
     std::vector<Cut> cuts;                ///< as OutlineInput::cuts
     bool surface_scan = false;            ///< most faces are seen: not the rays of a rotary scanner

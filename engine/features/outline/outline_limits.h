@@ -30,8 +30,9 @@ struct EdgeLimits {
     double face_margin_sigmas = 6, face_margin_mm = 0.15;  ///< beside the two radii
     double face_reach_sigmas = 8, face_reach_mm = 0.3;     ///< on each side of the estimated place
     std::size_t least_face_points = 30, least_kept_face_points = 20;  ///< on a face, and those left without outliers
-    double least_face_density = 3;  ///< the walls have no more than so many times the points per area
-    int face_rounds = 3;            ///< of the removal of outliers
+    double least_face_density = 3;       ///< the walls have no more than so many times the points per area
+    double least_end_face_density = 10;  ///< of the face of an end, where no lower wall may be taken for it
+    int face_rounds = 3;                 ///< of the removal of outliers
     double face_outlier_sigmas = 4;
     double largest_face_scatter_sigmas = 2;  ///< more is a slope
     double face_floor_mm2 = 2.5e-7;          ///< (0.5 µm)²
@@ -52,14 +53,76 @@ struct EdgeLimits {
     double assumed_spot_mm = 0.02;      ///< where none is known
     double least_ramp_density = 0.003;  ///< of the usual density, beyond the ramp: spurious points
     double end_step_mm = 0.05;
-    int end_rounds = 7, end_steps = 8;   ///< gridMaximum()
-    std::ptrdiff_t gap_hits = 20;        ///< before the end: their largest gap is the pitch of the rows
-    double end_floor_mm2 = 36e-6;        ///< (6 µm)²
-    std::size_t least_tilt_sectors = 6;  ///< for the harmonic of the last hits
-    double least_tilt_mm = 0.01;         ///< of the scanner's rows over the radius: below it tells nothing
+    int end_rounds = 7, end_steps = 8;  ///< gridMaximum()
+    std::ptrdiff_t gap_hits = 20;       ///< before the end: their largest gap is the pitch of the rows
+    double end_floor_mm2 = 36e-6;       ///< (6 µm)²
 };
 
 inline constexpr EdgeLimits edgeLimits;
+
+/// Ends in the rows of a rotary scanner (end_rows.h).
+struct EndRowLimits {
+    // Hits.
+    double depth_mm = 5, depth_share = 0.4;         ///< before the end, at most this share of the length
+    double beyond_mm = 1;                           ///< estimated ends are no further off
+    double band_step_mm = 0.02;                     ///< of the radii along the axis
+    double assumed_spot_mm = 0.1;                   ///< where a smaller one is known
+    double band_reach_mm = 0.05;                    ///< besides half the spot, the radii of which count as hits
+    double band_sigmas = 5, band_margin_mm = 0.05;  ///< beyond them
+    double below_root_mm = 0.6;                     ///< of a thread: its chamfer
+    double upright_reach_mm = 0.3;  ///< before a round is upright: all radii down to its centre's are hits
+
+    // Rows.
+    double row_gap_mm = 0.004;  ///< a wider one parts two rows: coordinates are written to 0.001 mm
+    std::size_t least_rows = 6;
+    double least_row_hits = 3, least_row_share = 0.02;  ///< of the median row: fewer are spurious points
+    double before_mm = 0.35;                            ///< besides the swing: rows so far before the last are whole
+    std::size_t least_whole_rows = 4, most_whole_rows = 40;
+    double usual_share = 0.75;  ///< quantile of the sectors' hits that marks do not reduce
+    double whole_share = 0.5;   ///< of it: a sector with less does not count
+    std::size_t least_sectors = 12;
+    double reach_mm = 0.6;        ///< nor one whose hits end so far before the others'
+    double pitch_quantile = 0.9;  ///< of the distances of rows: several passes lie irregularly
+    std::size_t most_empty_rows = 200;
+
+    // Likelihoods.
+    double hit_probability = 0.997;  ///< of a ray clear of the edge; the others are spurious points
+    double least_hit_share = 0.5;    ///< of the rays of a whole row
+    double odd_cells = 0.02;         ///< share of the cells of row and sector that follow no model
+    std::array<double, 6> widths_mm{0.03, 0.06, 0.1, 0.15, 0.2, 0.3};  ///< of the spot, equally likely
+    double place_step_mm = 0.005;
+    double place_floor_mm2 = 36e-6;  ///< (6 µm)²
+    double tail_share = 0.025;       ///< of the posterior, on each side of the interval
+};
+
+inline constexpr EndRowLimits endRowLimits;
+
+/// What closes an end (end_closure.h).
+struct ClosureLimits {
+    double decisive = 2.3;               ///< ln 10: ten to one decides
+    double whole_scans = 1.1;            ///< ln 3: most scans show the end of the part, by judgement
+    double shaped_ends = 0.8;            ///< share of parts that end in a chamfer or a round, by judgement
+    double chamfer_half_angle_deg = 10;  ///< a cone that is steeper closes an end as a chamfer
+    double missing_round_share = 0.2;    ///< of its radius: a round that ends so far before it is upright may go on
+    double at_axis_mm = 0.5;             ///< an arc that ends no further from the axis reaches it
+    double least_drop_sigmas = 3;        ///< a chamfer or round that is lower may be noise
+    double least_drop_mm = 0.05;         ///< and so may one below this
+    double least_length_mm = 0.25;       ///< or shorter
+    double reading_mm = 0.02;            ///< of a calliper (DIN 862): a stated length may be off by so much
+};
+
+inline constexpr ClosureLimits closureLimits;
+
+/// Points that a scan loses beside edges (edge_loss.h).
+struct EdgeLossLimits {
+    double reach_mm = 1;            ///< points no further from a plane
+    double wall_sigmas = 5;         ///< and from the model
+    std::size_t least_points = 40;  ///< beside a plane
+    std::size_t last_points = 3;    ///< the last but two counts: stray points lie beyond
+    double assumed_mm = 0.1;        ///< where no plane shows it: that of the practice scans
+};
+
+inline constexpr EdgeLossLimits edgeLossLimits;
 
 /// Which of these places each plane of an outline takes (plane_places.h).
 struct PlaneLimits {

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "engine/core/statistics.h"
+#include "engine/features/outline/edge_loss.h"
+#include "engine/features/outline/end_rows.h"
 #include "engine/features/outline/outline_limits.h"
 
 namespace lathelier::features {
@@ -291,15 +293,19 @@ public:
         if (part_end != input_.part_ends.end())
             return move(plane, part_end->z_mm, std::max(planeLimits.part_end_floor_mm, part_end->sigma_mm));
         const std::size_t index = start ? 0 : 1;
+        // Rays across the axis see no face, and what lies between the crests of a thread is none.
+        const bool is_strict = input_.scanner || run.elements.front().rough;
+        const double sparser = is_strict ? edgeLimits.least_face_density : edgeLimits.least_end_face_density;
         if (input_.bore) {
             ++sought_;
-        } else if (placeByFace(plane, planeLimits.end_face_share * radius, radius)) {
+        } else if (placeByFace(plane, planeLimits.end_face_share * radius, radius, sparser)) {
             outline_.face_seen[index] = true;
             return;
         }
-        if (run.elements.front().rough) return;
-        outline_.ends[index] = endOf(input_.cloud, model_, run, start, input_.scanner);
-        if (const auto& end = outline_.ends[index]) move(plane, end->place.z_mm, end->place.sigma_mm);
+        auto& found = outline_.ends[index] = std::nullopt;
+        if (input_.scanner && !input_.bore) found = endInRows(input_.cloud, model_, start, *input_.scanner);
+        if (!found && !run.elements.front().rough) found = endOf(input_.cloud, model_, run, start, lossAtEnds_mm());
+        if (found) move(plane, found->place.z_mm, found->place.sigma_mm);
     }
 
     /// A scan that shows most faces sees no edges: walls beside them do not count.
@@ -327,10 +333,19 @@ private:
                       : std::abs(startRadius_mm(b) - endRadius_mm(a));
     }
 
-    bool placeByFace(Plane& plane, double inner_mm, double outer_mm)
+    /// Without rows of rays a scan may lose points beside edges whose faces it does not see.
+    double lossAtEnds_mm() const
+    {
+        if (input_.scanner || input_.bore) return 0;
+        const double spacing = density_per_mm2_ > 0 ? 1 / std::sqrt(density_per_mm2_) : 0;
+        return std::max(lossAtEdges_mm(input_.cloud, model_), spacing / 2);
+    }
+
+    bool placeByFace(Plane& plane, double inner_mm, double outer_mm, double sparser = edgeLimits.least_face_density)
     {
         ++sought_;
-        const auto face = seenFace(input_.cloud, plane.z_mm, inner_mm, outer_mm, model_.sigma_mm, density_per_mm2_);
+        const auto face =
+            seenFace(input_.cloud, plane.z_mm, inner_mm, outer_mm, model_.sigma_mm, density_per_mm2_ / sparser);
         if (!face) return false;
         move(plane, face->z_mm, face->sigma_mm);
         ++faces_;

@@ -60,20 +60,22 @@ void keepLobes(const Recognition& found, double shift_mm, std::vector<Recognized
     }
 }
 
-/// A seen end of the part stays one, whichever row now leads to it.
+/// What was decided of an end stays, whichever row now leads to it.
 void keepEndsSeen(const Recognition& found, Outline& outline)
 {
+    constexpr double sure = 100;  // ln of odds that nothing outweighs
     for (std::size_t i = 0; i < found.ends.size() && i < 2; ++i) {
-        if (found.ends[i].closed_by == "data") continue;
+        const RecognizedEnd& end = found.ends[i];
+        if (outline.end_stated[i] || end.closed_by == "undecided") continue;
         if (!outline.ends[i]) outline.ends[i].emplace();
-        outline.ends[i]->tilt_share = outline.ends[i]->tilt_share_sigma = 0;
+        outline.ends[i]->log_ratio = isClosed(end) ? sure : -sure;
     }
 }
 
 void takeGaps(const Outline& outline, double zero_mm, Recognition& result)
 {
     std::erase_if(result.notes, [](const Note& note) {
-        for (const NoteCode& code : {notes::gapInData, notes::endConfirmed, notes::endNotSeen})
+        for (const NoteCode& code : {notes::gapInData, notes::endConfirmed, notes::endNotSeen, notes::endUndecided})
             if (note.code.key == code.key) return true;
         return false;
     });

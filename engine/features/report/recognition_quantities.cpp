@@ -59,7 +59,8 @@ Value endName(const std::string& closed_by)
                              {"chamfer", LT_TEXT("Engine", "chamfer")},
                              {"round", LT_TEXT("Engine", "round")},
                              {"edge", LT_TEXT("Engine", "edge")},
-                             {"data", LT_TEXT("Engine", "end of the data")}});
+                             {"data", LT_TEXT("Engine", "end of the data")},
+                             {"undecided", LT_TEXT("Engine", "undecided")}});
 }
 
 std::optional<LargestDiameter> largestDiameter(const Recognition& result)

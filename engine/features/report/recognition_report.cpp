@@ -149,13 +149,17 @@ report::Table unexplainedTable(const Recognition& result)
 
 report::Table endsTable(const Recognition& result)
 {
-    report::Table table{LT_TEXT("Engine", "Free end and chuck end"),
-                        {report::Labelled{LT_TEXT("Engine", "z"), unit::mm},
-                         report::Labelled{LT_TEXT("Engine", "± (k = 2)"), unit::mm}, LT_TEXT("Engine", "Closed by")},
-                        {},
-                        {4, 4, 0}};
+    report::Table table{
+        LT_TEXT("Engine", "Free end and chuck end"),
+        {report::Labelled{LT_TEXT("Engine", "z"), unit::mm}, report::Labelled{LT_TEXT("Engine", "± (k = 2)"), unit::mm},
+         LT_TEXT("Engine", "Closed by"), report::Labelled{LT_TEXT("Engine", "lies from"), unit::mm},
+         report::Labelled{LT_TEXT("Engine", "to"), unit::mm}},
+        {},
+        {4, 4, 0, 3, 3}};
     for (const RecognizedEnd& end : result.ends)
-        table.rows.push_back({end.z_mm, end.uncertainty_mm, endName(end.closed_by)});
+        table.rows.push_back({end.z_mm, end.uncertainty_mm, endName(end.closed_by),
+                              end.span_mm ? Value(end.span_mm->from) : Value(),
+                              end.span_mm ? Value(end.span_mm->to) : Value()});
     return table;
 }
 

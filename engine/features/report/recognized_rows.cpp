@@ -148,7 +148,12 @@ const std::vector<QuantityOf<RecognizedEnd>>& quantitiesOf(const RecognizedEnd*)
     static const auto all =
         describedBy<E>(quantity<E>("z_mm", &E::z_mm, {LT_TEXT("Engine", "z"), unit::mm, 3}),
                        quantity<E>("uncertainty_mm", &E::uncertainty_mm, {LT_TEXT("Engine", "U"), unit::mm, 3}),
-                       quantity<E>("closed_by", &E::closed_by, {LT_TEXT("Engine", "Closed by")}));
+                       quantity<E>("closed_by", &E::closed_by, {LT_TEXT("Engine", "Closed by")}),
+                       quantity<E>("span_mm",
+                                   [](const E& e) {
+                                       return e.span_mm ? Value(std::vector{e.span_mm->from, e.span_mm->to}) : Value();
+                                   },
+                                   {LT_TEXT("Engine", "Lies between"), unit::mm, 3}));
     return all;
 }
 

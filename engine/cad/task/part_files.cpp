@@ -13,6 +13,7 @@
 #include "engine/drawing/drawing_svg.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
+#include "engine/shaft/turned_marks.h"
 
 namespace lathelier::cad {
 namespace {
@@ -87,14 +88,21 @@ std::map<std::string, task::WriteExport> partWriters(const std::shared_ptr<const
         };
     };
     std::map<std::string, task::WriteExport> all;
+    // The rows alone would be another body.
+    const auto solid = [part, whole](const Content& content) {
+        return whole([part, content](const Language& language, const Progress& progress) {
+            requireTurned(part->shaft);
+            return content(language, progress);
+        });
+    };
     all[shaftExport] = [part](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, io::shaftText(part->shaft));
     };
     all[stockExport] = whole([part](const Language&, const Progress&) { return io::stockText(part->stock); });
-    all[stepExport] = whole([part](const Language&, const Progress& progress) { return stepOf(*part, progress); });
-    all[dxfExport] = whole([part](const Language& language, const Progress&) { return dxfOfPart(*part, language); });
-    all[freecadExport] = whole([part](const Language&, const Progress&) { return freecadMacro(part->shaft); });
-    all[solidworksExport] = whole([part](const Language&, const Progress&) { return solidworksMacro(part->shaft); });
+    all[stepExport] = solid([part](const Language&, const Progress& progress) { return stepOf(*part, progress); });
+    all[dxfExport] = solid([part](const Language& language, const Progress&) { return dxfOfPart(*part, language); });
+    all[freecadExport] = solid([part](const Language&, const Progress&) { return freecadMacro(part->shaft); });
+    all[solidworksExport] = solid([part](const Language&, const Progress&) { return solidworksMacro(part->shaft); });
     all[tableExport] =
         whole([part](const Language&, const Progress&) { return part->csv ? part->csv() : shaftCsv(part->shaft); });
     all[drawingExport] =

@@ -84,7 +84,7 @@ bool isNamed(const std::vector<ShaftMark>& marks, double z_mm, double turn, doub
         if (!mark.z_start_mm || !mark.z_end_mm) return false;
         const double rim = structureThresholds.beside_mark_mm;
         if (z_mm < *mark.z_start_mm - rim || z_mm > *mark.z_end_mm + rim) return false;
-        if (!mark.angle_deg || !mark.width_mm) return true;
+        if (!mark.angle_deg || !mark.width_mm || mark.kind == MarkKind::Spline) return true;
         const double half = std::asin(std::min(1.0, *mark.width_mm / (2 * radius_mm))) + rim / radius_mm;
         return std::abs(std::remainder(turn * turn_rad - *mark.angle_deg / deg_per_rad, turn_rad)) < half;
     });

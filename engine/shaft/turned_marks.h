@@ -1,0 +1,14 @@
+// Marks that no turned faces can stand for.
+#pragma once
+
+#include "engine/shaft/shaft.h"
+
+namespace lathelier {
+
+/// Is the row along such a mark another body than the part: an eccentric, a prism, teeth?
+bool isOtherThanTurned(MarkKind kind);
+
+/// For whoever makes a solid or a program of the rows alone. Error markNotTurned: the first such mark.
+void requireTurned(const Shaft& shaft);
+
+}  // namespace lathelier

@@ -49,7 +49,10 @@ std::vector<ShaftMark> makeRound(PartPoints& part, FreeEnd free_end, RevolutionF
     const RevolutionFit before = fit;
     fit = fitAxis(part.own, free_end, progress.quiet());
     meridian = meridianOf(part, fit, progress.quiet());
-    return marksIn(fit, before, stretches);
+    const std::vector<ShaftMark> marks = marksIn(fit, before, stretches);
+    shareForm(marks, meridian.coarse);
+    shareForm(marks, meridian.fine);
+    return marks;
 }
 
 /// Do most points lie on surfaces of revolution about the axis? Then the others may be named: an eccentric, a square.
@@ -182,12 +185,18 @@ void takeOutside(const Outline& outside, const RevolutionFit& fit, const AddedUn
     describeEnds(outside, result);
 }
 
-void takeMarks(std::vector<ShaftMark> marks, double zero_mm, Recognition& result)
+void takeMarks(const std::vector<ShaftMark>& marks, std::vector<ShaftMark> stretches, double zero_mm,
+               Recognition& result)
 {
-    result.marks = std::move(marks);
-    for (ShaftMark& mark : result.marks) {
+    result.marks = withStretches(marks, stretches);
+    for (ShaftMark& mark : stretches) {
         *mark.z_start_mm -= zero_mm;
         *mark.z_end_mm -= zero_mm;
+    }
+    widenRows(stretches, result.segments);
+    for (ShaftMark& mark : result.marks) {
+        *mark.z_start_mm = std::max(0.0, *mark.z_start_mm - zero_mm);
+        *mark.z_end_mm = std::min(result.ends.back().z_mm, *mark.z_end_mm - zero_mm);
     }
     nameRoughRows(result);
     if (!result.marks.empty())
@@ -284,7 +293,7 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
     takeOutside(found.outside, fit, added, result);
     if (found.bore) addSeenBores(*found.bore, zero, result.ends.back().z_mm, fit, added, result);
     const auto marks = findMarks(meridian.cloud, found.outside, found.seen(meridian.cloud).bore, fitting);
-    takeMarks(withStretches(marks, stretches), zero, result);
+    takeMarks(marks, stretches, zero, result);
     noteRoughZones(found.outside, result);
     describeStructure(found.seen(meridian.cloud), found.structure, zero, result, fitting);
     if (!registration::isBodyOfRevolution(fit) && result.unexplained.empty())

@@ -25,6 +25,9 @@ struct MarkLimits {
     double robust_outlier_medians = 3;        ///< in the first rounds, of the median distance
     double least_plane_share = 0.6;           ///< of the points within the plane
     double largest_plane_sigmas = 1.6;        ///< rms distance of these
+    // Zones of one thread.
+    double same_pitch_share = 0.005, same_major_mm = 0.1;  ///< by which pitch and crest may differ
+    double thread_gap_pitches = 2;                         ///< a relief between two threads is wider
 };
 
 inline constexpr MarkLimits markLimits;

@@ -10,6 +10,7 @@
 #include "engine/core/statistics.h"
 #include "engine/features/stretches/stretch_limits.h"
 #include "engine/features/stretches/tooth_profile.h"
+#include "engine/features/walls/crest.h"
 
 namespace lathelier::features {
 namespace {
@@ -75,18 +76,27 @@ FoundHelix bestHelix(const StretchPoints& points, double length_mm, const Progre
     return best;
 }
 
-/// Median of the points on the level, and its standard uncertainty.
-std::pair<double, double> levelOfHelix(const StretchPoints& points, const SectionShape& shape,
-                                       const PitchProfile& profile, double level_mm)
+/// Crest of the radii, as of any rough surface; the narrow crest of a thread is blurred. Second: standard uncertainty.
+std::pair<double, double> crestOfHelix(const StretchPoints& points, double level_mm)
+{
+    std::vector<float> radii;
+    radii.reserve(points.size());
+    for (const double r : points.r_mm) radii.push_back(static_cast<float>(r));
+    const std::optional<Crest> crest = crestOf(radii, points.sigma_mm);
+    if (!crest || std::abs(crest->radius_mm - level_mm) > helixLimits.crest_mm) return {level_mm, points.onShape_mm()};
+    const double blur = std::abs(crest->radius_mm - level_mm) / 2;
+    return {crest->radius_mm, std::hypot(crest->sigma_mm, blur, stretchProof.form_mm)};
+}
+
+/// Median of the points on the level.
+double rootOfHelix(const StretchPoints& points, const SectionShape& shape, const PitchProfile& profile, double level_mm)
 {
     std::vector<double> own;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (std::abs(profile.radius_mm[profile.binOf(shape, points.turn[i], points.z_mm[i])] - level_mm) <
             points.onShape_mm())
             own.push_back(points.r_mm[i]);
-    if (own.empty()) return {level_mm, points.onShape_mm()};
-    const double u = points.sigma_mm * std::sqrt(stretchProof.dependent_points / static_cast<double>(own.size()));
-    return {upperMedianInPlace(own), std::hypot(u, stretchProof.form_mm)};
+    return own.empty() ? level_mm : upperMedianInPlace(own);
 }
 
 std::string moduleName(double pitch_mm, double depth_mm)
@@ -120,8 +130,8 @@ std::optional<FoundShape> helixOf(const StretchPoints& points, const Progress& p
     shape.phase_turn = toothMiddle(*first, levels) / static_cast<double>(shape.count);
     const auto profile = pitchProfile(points, shape);
     if (!profile) return std::nullopt;
-    const auto [crest, crest_u] = levelOfHelix(points, shape, *profile, levels.crest_mm);
-    const double root = levelOfHelix(points, shape, *profile, levels.root_mm).first;
+    const auto [crest, crest_u] = crestOfHelix(points, levels.crest_mm);
+    const double root = rootOfHelix(points, shape, *profile, levels.root_mm);
     shape.level_mm = crest;
     shape.pitch_mm = steadyRadii(*profile, points.sigma_mm);
     found.mark.kind = MarkKind::Thread;

@@ -94,18 +94,25 @@ bool refinePrism(const StretchPoints& points, SectionShape& shape)
     return centre.norm() < stretchProof.most_centre_mm && shape.face_mm > 0;
 }
 
-/// Radius of the circle over the corners: that which cuts them, or through them.
-void placeCorners(const StretchPoints& points, const std::vector<double>& medians, SectionShape& shape)
+/// Radius of the circle over the corners: that which cuts them, from the sectors where the faces lie above it, or
+/// through them.
+void placeCorners(const std::vector<double>& medians, SectionShape& shape)
 {
-    const double limit = points.onShape_mm();
-    std::vector<double> cut;
-    for (std::size_t s = 0; s < medians.size(); ++s) {
-        const double face = shape.face_mm / std::cos(shape.faceAngle_rad(sectorTurn(s)));
-        if (!std::isnan(medians[s]) && medians[s] < face - limit) cut.push_back(medians[s]);
+    const double half = std::numbers::pi / static_cast<double>(shape.count), sharp = shape.face_mm / std::cos(half);
+    double level = shape.face_mm / std::cos(half - stretchProof.corner_deg / deg_per_rad);
+    for (int round = 0; round < stretchProof.rounds; ++round) {
+        std::vector<double> cut;
+        for (std::size_t s = 0; s < medians.size(); ++s) {
+            const double face = shape.face_mm / std::cos(shape.faceAngle_rad(sectorTurn(s)));
+            if (!std::isnan(medians[s]) && face > level) cut.push_back(medians[s]);
+        }
+        if (cut.size() < stretchProof.least_corner_sectors) {
+            level = sharp;
+            break;
+        }
+        level = std::min(sharp, upperMedianInPlace(cut));
     }
-    shape.level_mm = shape.face_mm / std::cos(std::numbers::pi / static_cast<double>(shape.count));
-    if (static_cast<double>(cut.size()) > stretchProof.cap_share * static_cast<double>(medians.size()))
-        shape.level_mm = std::min(shape.level_mm, upperMedianInPlace(cut));
+    shape.level_mm = level;
 }
 
 /// Distances of the single faces; none where one is not seen, is off, or too little of the section is a face.
@@ -189,7 +196,7 @@ std::optional<FoundShape> prismOf(const StretchPoints& points)
         SectionShape shape = startingPrism(medians, faces, points.onShape_mm());
         shape.kind = faces == 6 ? MarkKind::Hexagon : MarkKind::Square;
         if (!refinePrism(points, shape)) continue;
-        placeCorners(points, medians, shape);
+        placeCorners(medians, shape);
         const auto distances = prismFaces(points, shape);
         if (!distances || !isStraightAlong(points, shape)) continue;
         std::vector<double> across;

@@ -21,7 +21,7 @@ std::optional<Vector3d> roundedPlace(const Vector3d& p, const NotRoundStretch& s
     const double radius = shape.radiusAt_mm(turn, p.z()), off = r - radius;
     const double on_mm = stretchEnds.edge_sigmas * sigma_mm + stretchEnds.edge_off_mm;
     if (p.z() < stretch.from_mm || p.z() > stretch.to_mm) {
-        const bool is_cut = std::isnan(radius) || (isBelowRound(shape, radius, sigma_mm) && std::abs(off) < on_mm);
+        const bool is_cut = std::isnan(radius) || isBelowRound(shape, radius, sigma_mm);
         return is_cut ? std::nullopt : std::optional(p);
     }
     const bool is_beside_end = std::min(p.z() - stretch.from_mm, stretch.to_mm - p.z()) < stretchEnds.edge_mm;
@@ -62,6 +62,28 @@ std::vector<Vector3d> madeRound(const std::vector<Vector3d>& points_mm, const re
     return rounded;
 }
 
+void shareForm(const std::vector<ShaftMark>& marks, Walls& walls)
+{
+    for (Chain& chain : walls.chains)
+        for (Wall& wall : chain.walls)
+            if (std::any_of(marks.begin(), marks.end(), [&](const ShaftMark& mark) {
+                    return wall.z_mm > *mark.z_start_mm && wall.z_mm < *mark.z_end_mm;
+                }))
+                wall.shared_mm = std::hypot(wall.shared_mm, stretchEnds.shared_mm);
+}
+
+void widenRows(const std::vector<ShaftMark>& stretches, std::vector<RecognizedRow>& rows)
+{
+    for (const ShaftMark& mark : stretches)
+        for (RecognizedRow& row : rows) {
+            const double common = std::min(row.z_end_mm, *mark.z_end_mm) - std::max(row.z_start_mm, *mark.z_start_mm);
+            if (row.kind != RowKind::Cylinder || common < stretchEnds.over_share * (row.z_end_mm - row.z_start_mm))
+                continue;
+            for (std::optional<double>* um : {&row.uncertainty.start_diameter_um, &row.uncertainty.end_diameter_um})
+                if (*um) *um = std::max(**um, 1e3 * mark.uncertainty_mm.value_or(0));
+        }
+}
+
 std::vector<ShaftMark> marksIn(const registration::RevolutionFit& other, const registration::RevolutionFit& fit,
                                const std::vector<NotRoundStretch>& stretches)
 {
@@ -73,9 +95,9 @@ std::vector<ShaftMark> marksIn(const registration::RevolutionFit& other, const r
                      end = (other_T_fit * Vector3d(0, 0, *mark.z_end_mm)).z();
         mark.z_start_mm = std::min(start, end);
         mark.z_end_mm = std::max(start, end);
-        const double angle = *mark.angle_deg / deg_per_rad;
+        const double angle = mark.angle_deg.value_or(0) / deg_per_rad;
         const Vector3d out = other_T_fit.linear() * Vector3d(std::cos(angle), std::sin(angle), 0);
-        mark.angle_deg = markAngle_deg(std::atan2(out.y(), out.x()) / turn_rad);
+        if (mark.angle_deg) mark.angle_deg = markAngle_deg(std::atan2(out.y(), out.x()) / turn_rad);
         marks.push_back(std::move(mark));
     }
     return marks;

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "engine/features/recognition.h"
 #include "engine/features/stretches/not_round.h"
 
 namespace lathelier::features {
@@ -17,6 +18,12 @@ std::vector<Eigen::Vector3d> madeRound(const std::vector<Eigen::Vector3d>& point
                                        const registration::RevolutionFit& fit,
                                        const std::vector<NotRoundStretch>& stretches, double sigma_mm,
                                        const Progress& progress = {});
+
+/// Walls within the stretches, of which `marks` are, with the form of the shapes as an error that their points share.
+void shareForm(const std::vector<ShaftMark>& marks, Walls& walls);
+
+/// The diameter of a row that a stretch makes is as uncertain as its shape.
+void widenRows(const std::vector<ShaftMark>& stretches, std::vector<RecognizedRow>& rows);
 
 /// Marks of the stretches in the frame of another fit of the same part.
 std::vector<ShaftMark> marksIn(const registration::RevolutionFit& other, const registration::RevolutionFit& fit,

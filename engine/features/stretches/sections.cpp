@@ -99,6 +99,7 @@ struct OpenRun {
     double from_mm = 0, to_mm = 0;
     std::vector<double> sum_mm, count;
     std::size_t sections = 0;
+    double least_mm = std::numeric_limits<double>::infinity();
 
     double at(std::size_t s) const { return count[s] > 0 ? sum_mm[s] / count[s] : notSeen; }
     void add(const SectorRadii& radii)
@@ -107,6 +108,7 @@ struct OpenRun {
             if (std::isnan(radii[s])) continue;
             sum_mm[s] += radii[s];
             count[s] += 1;
+            least_mm = std::min(least_mm, radii[s]);
         }
         ++sections;
     }
@@ -118,13 +120,9 @@ struct OpenRun {
         }
         to_mm = other.to_mm;
         sections += other.sections;
+        least_mm = std::min(least_mm, other.least_mm);
     }
-    SectionRun closed() const
-    {
-        SectionRun run{from_mm, to_mm, {}};
-        for (std::size_t s = 0; s < sum_mm.size(); ++s) run.radius_mm.push_back(at(s));
-        return run;
-    }
+    SectionRun closed() const { return {from_mm, to_mm, least_mm}; }
 };
 
 /// Neighbouring sections that belong together.
@@ -142,7 +140,7 @@ struct RunBuilder {
         }
         if (!is_open || !isLike(runs.back())) {
             const std::vector<double> nothing(sectionLimits.sectors, 0);
-            runs.push_back({from_mm, 0, nothing, nothing, 0});
+            runs.push_back({from_mm, 0, nothing, nothing});
             is_open = true;
         }
         runs.back().add(radii);
@@ -180,14 +178,6 @@ std::vector<OpenRun> joinedRuns(const std::vector<OpenRun>& runs, double sigma_m
 }
 
 }  // namespace
-
-double SectionRun::leastRadius_mm() const
-{
-    double least = std::numeric_limits<double>::infinity();
-    for (const double r : radius_mm)
-        if (!std::isnan(r)) least = std::min(least, r);
-    return least;
-}
 
 SectionRuns notRoundRuns(const MeridianCloud& cloud, double sigma_mm, const Progress& progress)
 {

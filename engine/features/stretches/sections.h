@@ -15,9 +15,7 @@ namespace lathelier::features {
 /// A stretch along the axis whose sections are alike and not round.
 struct SectionRun {
     double from_mm = 0, to_mm = 0;  ///< of its sections
-    std::vector<double> radius_mm;  ///< by sectors: mean of the sections; NaN where nothing is seen
-
-    double leastRadius_mm() const;
+    double least_mm = 0;            ///< least radius of a sector of a section
 };
 
 /// In order of z.

@@ -52,12 +52,12 @@ bool isTooth(const PitchProfile& profile, const ToothLevels& levels, std::size_t
         wave += (now - mean) * std::polar(1.0, -turn_rad * static_cast<double>(b) / static_cast<double>(bins));
     }
     const double share = 2 * std::norm(wave) / (static_cast<double>(bins) * squares);
-    if (teeth < stretchProof.few_teeth && between > stretchProof.most_between_share * static_cast<double>(bins))
-        return false;
+    // A fine knurl is a wave of ridges; fine teeth have levels.
+    const bool has_levels = between < stretchProof.most_between_share * static_cast<double>(bins);
     const double pitch_mm = turn_rad * levels.crest_mm / static_cast<double>(teeth);
     const bool is_deep = levels.depth_mm() > stretchProof.deep_share * pitch_mm;
-    return isOneTooth(profile, levels) && (is_deep || share < stretchProof.wave_share) &&
-           pitch_mm > stretchProof.least_pitch_mm;
+    if (!has_levels && (teeth < stretchProof.few_teeth || pitch_mm < stretchProof.least_pitch_mm)) return false;
+    return isOneTooth(profile, levels) && (is_deep || share < stretchProof.wave_share);
 }
 
 /// Median of the points on one level, tooth by tooth, and of all.
@@ -99,19 +99,23 @@ LevelOfTeeth levelOfTeeth(const StretchPoints& points, const SectionShape& shape
 std::optional<double> parallelWidth_mm(const StretchPoints& points, const SectionShape& shape,
                                        const ToothLevels& levels)
 {
-    std::vector<double> widths, offs;
+    std::vector<double> widths, low, high, offs;
+    const double margin = stretchProof.flank_sigmas * points.sigma_mm + stretchProof.on_mm;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const double margin = stretchProof.flank_sigmas * points.sigma_mm + stretchProof.on_mm;
         if (points.r_mm[i] < levels.root_mm + margin || points.r_mm[i] > levels.crest_mm - margin) continue;
         widths.push_back(2 * points.r_mm[i] * std::abs(std::sin(shape.faceAngle_rad(points.turn[i]))));
+        (points.r_mm[i] < levels.middle_mm() ? low : high).push_back(widths.back());
     }
-    if (static_cast<double>(widths.size()) < stretchProof.least_flank_share * static_cast<double>(points.size()))
-        return std::nullopt;
+    const double least = stretchProof.least_flank_share * static_cast<double>(points.size()) / 2;
+    if (static_cast<double>(std::min(low.size(), high.size())) < least) return std::nullopt;
     const double width = medianInPlace(widths);
     for (const double one : widths) offs.push_back(std::abs(one - width));
     const double scatter = madToSigma * upperMedianInPlace(offs);
     const double limit = stretchProof.flank_scatter_sigmas * points.sigma_mm + stretchProof.flank_scatter_mm;
-    return scatter < limit ? std::optional(width) : std::nullopt;
+    // Half of the depth lies between the middles of the two halves.
+    const double radial = width * levels.depth_mm() / (2 * levels.middle_mm());
+    const bool is_parallel = std::abs(medianInPlace(high) - medianInPlace(low)) < stretchProof.slope_share * radial;
+    return is_parallel && scatter < limit ? std::optional(width) : std::nullopt;
 }
 
 }  // namespace

@@ -11,8 +11,9 @@ namespace {
 
 /// A point near an end: its distance beyond the end that was known before, and whether it lies on the shape.
 struct NearEnd {
-    double beyond_mm = 0;
-    bool is_on = false, is_below = false;
+    double beyond_mm = 0, r_mm = 0;
+    bool is_on = false;
+    bool is_below = false, is_high = false;  ///< where the shape is a gap or a face, a crest or a corner
 };
 
 struct ShareOn {
@@ -38,32 +39,53 @@ std::vector<NearEnd> pointsNear(const MeridianCloud& cloud, const NotRoundStretc
         const double radius =
             stretch.shape.radiusAt_mm(static_cast<double>(cloud.turn[i]), static_cast<double>(cloud.z_mm[i]));
         if (std::isnan(radius)) continue;
-        near.push_back({beyond, std::abs(static_cast<double>(cloud.r_mm[i]) - radius) < limit,
-                        isBelowRound(stretch.shape, radius, sigma_mm)});
+        const double r = static_cast<double>(cloud.r_mm[i]);
+        near.push_back({beyond, r, std::abs(r - radius) < limit, isBelowRound(stretch.shape, radius, sigma_mm),
+                        radius > stretch.shape.level_mm - limit});
     }
     std::sort(near.begin(), near.end(), [](const NearEnd& a, const NearEnd& b) { return a.beyond_mm < b.beyond_mm; });
     return near;
 }
 
-/// How far beyond the known end the shape ends; 0 where the points do not say.
-double changeOf(const std::vector<NearEnd>& near)
+/// How far beyond the end of its sections the points go on to lie on the shape, in whole steps.
+double growthOf(const MeridianCloud& cloud, const NotRoundStretch& stretch, double sigma_mm, double end_mm, double sign)
+{
+    const double limit = stretchProof.on_sigmas * sigma_mm + stretchProof.on_mm;
+    std::vector<ShareOn> steps;
+    for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
+        const double z = static_cast<double>(cloud.z_mm[i]), beyond = sign * (z - end_mm);
+        const auto step = static_cast<std::size_t>(std::max(0.0, beyond) / stretchEnds.grow_step_mm);
+        if (beyond < 0 || step >= stretchEnds.most_grow_steps) continue;
+        const double radius = stretch.shape.radiusAt_mm(static_cast<double>(cloud.turn[i]), z);
+        if (std::isnan(radius)) continue;
+        if (step >= steps.size()) steps.resize(step + 1);
+        steps[step].add(std::abs(static_cast<double>(cloud.r_mm[i]) - radius) < limit);
+    }
+    const auto end = std::find_if(steps.begin(), steps.end(), [](const ShareOn& step) {
+        return step.count < static_cast<double>(stretchEnds.least_points) ||
+               step.on < stretchEnds.absorb_share * step.count;
+    });
+    return stretchEnds.grow_step_mm * static_cast<double>(end - steps.begin());
+}
+
+/// How far beyond the known end, at most `reach_mm` from it, the shape ends; 0 where the points do not say.
+double changeOf(const std::vector<NearEnd>& near, double reach_mm)
 {
     ShareOn inside, outside;
-    std::vector<double> on;
     for (const NearEnd& point : near) {
         if (point.beyond_mm < -stretchEnds.beyond_mm) inside.add(point.is_on);
         if (point.beyond_mm > stretchEnds.beyond_mm && point.beyond_mm < stretchEnds.reach_mm) outside.add(point.is_on);
-        if (point.is_on && point.beyond_mm < stretchEnds.reach_mm) on.push_back(point.beyond_mm);
     }
-    if (outside.count < static_cast<double>(stretchEnds.least_points))
-        return on.empty() ? 0 : lowerQuantileInPlace(on, 1 - stretchEnds.tail_share);
-    const double of_on = std::log(inside.share() / outside.share()),
-                 of_off = std::log((1 - inside.share()) / (1 - outside.share()));
+    // Beyond the end of the data, a chamfer may be before it.
+    const double beyond = outside.count < static_cast<double>(stretchEnds.least_points)
+                              ? stretchEnds.unseen_share * inside.share()
+                              : outside.share();
+    const double of_on = std::log(inside.share() / beyond), of_off = std::log((1 - inside.share()) / (1 - beyond));
     if (!(of_on > 0)) return 0;
-    double sum = 0, most = 0, place = -stretchEnds.reach_mm;
+    double sum = 0, most = 0, place = -reach_mm;
     for (std::size_t i = 0; i < near.size(); ++i) {
-        if (near[i].beyond_mm < -stretchEnds.reach_mm) continue;
-        if (near[i].beyond_mm > stretchEnds.reach_mm) break;
+        if (near[i].beyond_mm < -reach_mm) continue;
+        if (near[i].beyond_mm > reach_mm) break;
         sum += near[i].is_on ? of_on : of_off;
         if (sum <= most) continue;
         most = sum;
@@ -72,20 +94,22 @@ double changeOf(const std::vector<NearEnd>& near)
     return place;
 }
 
-/// How far beyond `from_mm` gaps or faces go on.
-double extensionOf(const std::vector<NearEnd>& near, double from_mm)
+/// How far beyond `from_mm` gaps or faces go on: there they lie below what is beside them.
+double extensionOf(const std::vector<NearEnd>& near, double from_mm, double least_mm)
 {
     double reached = from_mm;
     for (double step = from_mm; step < stretchEnds.extend_mm; step += stretchEnds.extend_step_mm) {
-        ShareOn below;
+        std::vector<double> below, high;
         double last = reached;
         for (const NearEnd& point : near) {
-            if (!point.is_below || point.beyond_mm < step || point.beyond_mm > step + stretchEnds.extend_step_mm)
-                continue;
-            below.add(point.is_on);
-            if (point.is_on) last = point.beyond_mm;
+            if (point.beyond_mm < step || point.beyond_mm > step + stretchEnds.extend_step_mm) continue;
+            if (point.is_below) below.push_back(point.r_mm);
+            if (point.is_high) high.push_back(point.r_mm);
+            if (point.is_below) last = point.beyond_mm;
         }
-        if (below.count < 1 || below.on < stretchEnds.extend_share * below.count) break;
+        if (std::min(below.size(), high.size()) < stretchEnds.least_step_points ||
+            !(upperMedianInPlace(below) < upperMedianInPlace(high) - least_mm))
+            break;
         reached = last;
     }
     return reached;
@@ -101,10 +125,14 @@ bool isBelowRound(const SectionShape& shape, double radius_mm, double sigma_mm)
 
 void placeStretchEnds(const MeridianCloud& cloud, double sigma_mm, NotRoundStretch& stretch)
 {
-    const double before_mm = std::max(stretchEnds.reach_mm, (stretch.to_mm - stretch.from_mm) / 3);
+    const double reach_mm = stretch.shape.kind == MarkKind::Thread ? stretchEnds.helix_reach_mm : stretchEnds.reach_mm;
+    const double before_mm = std::max(reach_mm, (stretch.to_mm - stretch.from_mm) / 3);
     const auto place = [&](double& end_mm, double sign) {
+        end_mm += sign * growthOf(cloud, stretch, sigma_mm, end_mm, sign);
         const std::vector<NearEnd> near = pointsNear(cloud, stretch, sigma_mm, end_mm, sign, before_mm);
-        const double change = changeOf(near), extension = extensionOf(near, change), known = end_mm;
+        const double change = changeOf(near, reach_mm),
+                     extension = extensionOf(near, change, stretchEnds.low_sigmas * sigma_mm + stretchEnds.low_mm),
+                     known = end_mm;
         end_mm = known + sign * change;
         return known + sign * extension;
     };

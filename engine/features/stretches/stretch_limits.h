@@ -51,8 +51,9 @@ struct StretchProof {
     double phase_step_deg = 0.25;
     double flat_share = 0.6;         ///< of the half angle of a face: used for the search, chamfered corners lie beyond
     double least_flat_share = 0.35;  ///< of the circle on faces, the rest on the corner circle
-    double cap_share = 0.015;        ///< of the circle: corners that are cut show more
-    double most_centre_mm = 0.3;     ///< of the prism off the axis
+    double corner_deg = 1;           ///< beside a corner, where the search for the circle over it begins
+    std::size_t least_corner_sectors = 8;    ///< else the corners are sharp
+    double most_centre_mm = 0.3;             ///< of the prism off the axis
     double face_mm = 0.05, face_sigmas = 4;  ///< by which a single face may be off
     std::size_t least_face_points = 20;
     // Splines and serrations.
@@ -72,9 +73,12 @@ struct StretchProof {
     double odd_tooth_share = 0.25;    ///< of the depth: by which a single tooth or gap may be off
     double least_pitch_mm = 2.2;      ///< DIN 82: finer ones are a knurl (mark_proof.h)
     double flank_sigmas = 4;          ///< points between the levels by more are a flank's
-    double least_flank_share = 0.01;  ///< of the points: radial flanks show none
+    double slope_share = 0.3;  ///< parallel flanks are as wide below as above, radial ones in proportion to the radius
+    double least_flank_share = 0.01;                           ///< of the points: radial flanks show none
     double flank_scatter_sigmas = 3, flank_scatter_mm = 0.03;  ///< of the points on a parallel flank
     double scattered_sigmas = 2.5;                             ///< bins of the pitch that scatter more are flanks
+    double rise_sigmas = 1, rise_mm = 0.02;                    ///< likewise where the bins beside differ by more,
+    double least_level_share = 0.25;  ///< unless that leaves less of the pitch: a serration has no levels
 };
 inline constexpr StretchProof stretchProof;
 
@@ -90,6 +94,7 @@ struct HelixLimits {
     int rounds = 12;                ///< of its halving: phases within a thousandth
     double least_explained = 0.85;  ///< of the variance: flanks are steep, and rays are blurred along the axis
     double least_pitches = 1.5;     ///< that the stretch holds
+    double crest_mm = 0.15;         ///< by which the crest of the radii may differ from that of the profile
     double module_share = 0.004;    ///< by which a pitch may differ from that of a module
     double least_worm_depth = 1.8, most_worm_depth = 2.6;  ///< in modules; DIN 3975: 2.2
 };
@@ -101,13 +106,18 @@ struct StretchEnds {
     double beyond_mm = 0.6;                ///< from here to `reach_mm` beyond the end points show what follows
     double low_sigmas = 6, low_mm = 0.05;  ///< below the round: where the shape shows
     std::size_t least_points = 20;
-    double tail_share = 0.002;    ///< quantile of the points that is the end of the data
-    double extend_mm = 4;         ///< of gaps and faces beyond, on a chamfer
-    double extend_step_mm = 0.3;  ///< steps of that search
-    double extend_share = 0.7;    ///< of the points of a gap or a face that lie on it
-    double edge_mm = 0.6;         ///< beside an end points that are not on the shape are those of the neighbour
+    double unseen_share = 0.7;          ///< of the share within: taken beyond the end of the data
+    double helix_reach_mm = 4;          ///< as `reach_mm`: sections of chamfers are among those that wind
+    double extend_mm = 4;               ///< of gaps and faces beyond, on a chamfer
+    double extend_step_mm = 0.3;        ///< steps of that search
+    std::size_t least_step_points = 4;  ///< of a step, in gaps and beside them
+    double shared_mm = 0.004;  ///< standard uncertainty of the walls that are made of moved points: form of the shape
+    double edge_mm = 0.6;      ///< beside an end points that are not on the shape are those of the neighbour
     double edge_sigmas = 5, edge_off_mm = 0.05;
-    double over_share = 0.5;  ///< of another mark within a stretch: then it is part of it
+    double grow_step_mm = 0.5;           ///< steps by which the sections of a stretch are followed,
+    std::size_t most_grow_steps = 2000;  ///< at most
+    double absorb_share = 0.85;          ///< of the points of a run beside, on the shape: it is part of the stretch
+    double over_share = 0.5;             ///< of another mark within a stretch: then it is part of it
 };
 inline constexpr StretchEnds stretchEnds;
 

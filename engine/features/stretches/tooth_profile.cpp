@@ -93,11 +93,21 @@ double toothMiddle(const PitchProfile& profile, const ToothLevels& levels)
 
 std::vector<double> steadyRadii(const PitchProfile& profile, double sigma_mm)
 {
-    std::vector<double> radii = profile.radius_mm;
-    for (std::size_t b = 0; b < radii.size(); ++b)
-        if (profile.scatter_mm[b] > stretchProof.scattered_sigmas * sigma_mm + stretchProof.on_mm)
-            radii[b] = std::numeric_limits<double>::quiet_NaN();
-    return radii;
+    const std::size_t bins = profile.size();
+    const auto within = [&](double largest_rise_mm) {
+        std::vector<double> radii = profile.radius_mm;
+        for (std::size_t b = 0; b < bins; ++b) {
+            const double rise = profile.radius_mm[(b + 1) % bins] - profile.radius_mm[(b + bins - 1) % bins];
+            if (profile.scatter_mm[b] > stretchProof.scattered_sigmas * sigma_mm + stretchProof.on_mm ||
+                std::abs(rise) > largest_rise_mm)
+                radii[b] = std::numeric_limits<double>::quiet_NaN();
+        }
+        return radii;
+    };
+    std::vector<double> level = within(stretchProof.rise_sigmas * sigma_mm + stretchProof.rise_mm);
+    const auto flanks = std::count_if(level.begin(), level.end(), [](double r) { return std::isnan(r); });
+    const double share = 1 - static_cast<double>(flanks) / static_cast<double>(bins);
+    return share < stretchProof.least_level_share ? within(std::numeric_limits<double>::infinity()) : level;
 }
 
 }  // namespace lathelier::features

@@ -36,7 +36,7 @@ bool isOneTooth(const PitchProfile& profile, const ToothLevels& levels);  ///< a
 /// Middle of the tooth within a pitch, 0…1.
 double toothMiddle(const PitchProfile& profile, const ToothLevels& levels);
 
-/// Radii over a pitch, NaN where the points of a bin scatter: flanks.
+/// Radii over a pitch, NaN on flanks: where the points of a bin scatter, or its neighbours differ.
 std::vector<double> steadyRadii(const PitchProfile& profile, double sigma_mm);
 
 }  // namespace lathelier::features

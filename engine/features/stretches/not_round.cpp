@@ -83,7 +83,7 @@ public:
             const std::optional<StretchPoints> points = pointsOfRun(cloud_, run, sigma_mm_, fit_);
             if (!points || isAbsorbed(run, *points)) continue;
             if (const std::optional<FoundShape> found = shapeOfPoints(*points))
-                found_.push_back({found->shape, found->mark, run.from_mm, run.to_mm});
+                found_.push_back({found->shape, found->mark, run.from_mm, run.to_mm, {}, {}});
         }
     }
 

@@ -16,11 +16,19 @@
 
 namespace lathelier::features {
 
+/// The round beyond an end of a stretch, where gaps or faces go on: a chamfer.
+struct RoundBeyond {
+    double at_mm = 0, radius_mm = 0, slope = 0;
+
+    double radiusAt_mm(double z_mm) const { return radius_mm + slope * (z_mm - at_mm); }
+};
+
 /// z in the frame of the fit.
 struct NotRoundStretch {
     SectionShape shape;
     ShaftMark mark;  ///< as the fit's frame has it; z of what was cut: further than `from_mm` on a chamfer
-    double from_mm = 0, to_mm = 0;  ///< where the section is the same
+    double from_mm = 0, to_mm = 0;         ///< where the section is the same
+    RoundBeyond before = {}, behind = {};  ///< between these and the ends of the mark
 };
 
 /// In order of z. `sigma_mm`: noise of single points. Throws Cancelled.

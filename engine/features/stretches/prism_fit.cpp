@@ -94,25 +94,38 @@ bool refinePrism(const StretchPoints& points, SectionShape& shape)
     return centre.norm() < stretchProof.most_centre_mm && shape.face_mm > 0;
 }
 
-/// Radius of the circle over the corners: that which cuts them, from the sectors where the faces lie above it, or
-/// through them.
+/// Sum of the distances of the sectors from faces that a circle of this radius cuts.
+double misfitOfCorners(const std::vector<double>& medians, const SectionShape& shape, double level_mm)
+{
+    double sum = 0;
+    for (std::size_t s = 0; s < medians.size(); ++s)
+        if (!std::isnan(medians[s]))
+            sum +=
+                std::abs(medians[s] - std::min(level_mm, shape.face_mm / std::cos(shape.faceAngle_rad(sectorTurn(s)))));
+    return sum;
+}
+
+/// Radius of the circle over the corners: that which cuts them, or through them.
 void placeCorners(const std::vector<double>& medians, SectionShape& shape)
 {
-    const double half = std::numbers::pi / static_cast<double>(shape.count), sharp = shape.face_mm / std::cos(half);
-    double level = shape.face_mm / std::cos(half - stretchProof.corner_deg / deg_per_rad);
-    for (int round = 0; round < stretchProof.rounds; ++round) {
-        std::vector<double> cut;
-        for (std::size_t s = 0; s < medians.size(); ++s) {
-            const double face = shape.face_mm / std::cos(shape.faceAngle_rad(sectorTurn(s)));
-            if (!std::isnan(medians[s]) && face > level) cut.push_back(medians[s]);
-        }
-        if (cut.size() < stretchProof.least_corner_sectors) {
-            level = sharp;
-            break;
-        }
-        level = std::min(sharp, upperMedianInPlace(cut));
+    const double sharp = shape.face_mm / std::cos(std::numbers::pi / static_cast<double>(shape.count)),
+                 step = (sharp - shape.face_mm) / stretchProof.corner_steps;
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < stretchProof.corner_steps; ++k) {
+        const double level = sharp - step * k, misfit = misfitOfCorners(medians, shape, level);
+        if (misfit >= least) continue;
+        least = misfit;
+        shape.level_mm = level;
     }
-    shape.level_mm = level;
+    std::vector<double> cut;
+    for (std::size_t s = 0; s < medians.size(); ++s)
+        if (!std::isnan(medians[s]) &&
+            shape.face_mm / std::cos(shape.faceAngle_rad(sectorTurn(s))) > shape.level_mm + 2 * step)
+            cut.push_back(medians[s]);
+    if (cut.size() >= stretchProof.least_corner_sectors)
+        shape.level_mm = upperMedianInPlace(cut);
+    else if (shape.level_mm > sharp - stretchProof.sharp_mm)
+        shape.level_mm = sharp;
 }
 
 /// Distances of the single faces; none where one is not seen, is off, or too little of the section is a face.

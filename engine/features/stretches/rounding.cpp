@@ -20,15 +20,19 @@ std::optional<Vector3d> roundedPlace(const Vector3d& p, const NotRoundStretch& s
     const double r = p.head<2>().norm(), turn = std::atan2(p.y(), p.x()) / turn_rad;
     const double radius = shape.radiusAt_mm(turn, p.z()), off = r - radius;
     const double on_mm = stretchEnds.edge_sigmas * sigma_mm + stretchEnds.edge_off_mm;
+    Vector3d moved = p;
     if (p.z() < stretch.from_mm || p.z() > stretch.to_mm) {
-        const bool is_cut = std::isnan(radius) || isBelowRound(shape, radius, sigma_mm);
-        return is_cut ? std::nullopt : std::optional(p);
+        const double round = (p.z() < stretch.from_mm ? stretch.before : stretch.behind).radiusAt_mm(p.z());
+        const bool is_low = std::isnan(radius) || isBelowRound(shape, radius, sigma_mm);
+        if (!is_low || std::abs(r - round) < on_mm) return p;
+        if (!(std::abs(off) < on_mm)) return std::nullopt;
+        moved.head<2>() *= (round + off) / r;
+        return moved;
     }
     const bool is_beside_end = std::min(p.z() - stretch.from_mm, stretch.to_mm - p.z()) < stretchEnds.edge_mm;
     if (std::isnan(radius)) return shape.kind == MarkKind::Eccentric ? std::optional(p) : std::nullopt;
     const double other_mm = sectionLimits.inner_mm + sectionLimits.wall_gap_sigmas * sigma_mm;
     if (std::abs(off) > (is_beside_end ? on_mm : other_mm)) return p;
-    Vector3d moved = p;
     if (shape.kind == MarkKind::Eccentric && shape.centre_mm.norm() > stretchProof.slid_offset_share * shape.level_mm)
         moved.head<2>() -= shape.centre_mm;
     else

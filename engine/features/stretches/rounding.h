@@ -1,8 +1,8 @@
 // Points of stretches that are not round, moved onto the round that stands for them.
 //
 // A point is moved along the radius by the distance between its shape and the round, those of an axis that lies far off
-// with that axis. What they leave of the shape stays: damage on a spline is still seen. Points on flanks of teeth and
-// in gaps that go on in a chamfer are left out.
+// with that axis. What they leave of the shape stays: damage on a spline is still seen. Points on flanks of teeth are
+// left out. Where gaps or faces go on in a chamfer, the round is the cone through crests or corners.
 #pragma once
 
 #include <Eigen/Core>

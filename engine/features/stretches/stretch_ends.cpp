@@ -32,6 +32,9 @@ std::vector<NearEnd> pointsNear(const MeridianCloud& cloud, const NotRoundStretc
                                 double end_mm, double sign, double before_mm)
 {
     const double limit = stretchProof.on_sigmas * sigma_mm + stretchProof.on_mm;
+    const SectionShape& shape = stretch.shape;
+    const double depth = shape.pitch_mm.empty() && shape.face_mm > 0 ? shape.level_mm - shape.face_mm : 0;
+    const double high = shape.level_mm - std::max(limit, stretchEnds.corner_share * depth);
     std::vector<NearEnd> near;
     for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
         const double beyond = sign * (static_cast<double>(cloud.z_mm[i]) - end_mm);
@@ -40,8 +43,8 @@ std::vector<NearEnd> pointsNear(const MeridianCloud& cloud, const NotRoundStretc
             stretch.shape.radiusAt_mm(static_cast<double>(cloud.turn[i]), static_cast<double>(cloud.z_mm[i]));
         if (std::isnan(radius)) continue;
         const double r = static_cast<double>(cloud.r_mm[i]);
-        near.push_back({beyond, r, std::abs(r - radius) < limit, isBelowRound(stretch.shape, radius, sigma_mm),
-                        radius > stretch.shape.level_mm - limit});
+        near.push_back(
+            {beyond, r, std::abs(r - radius) < limit, isBelowRound(stretch.shape, radius, sigma_mm), radius > high});
     }
     std::sort(near.begin(), near.end(), [](const NearEnd& a, const NearEnd& b) { return a.beyond_mm < b.beyond_mm; });
     return near;
@@ -115,6 +118,26 @@ double extensionOf(const std::vector<NearEnd>& near, double from_mm, double leas
     return reached;
 }
 
+/// The line through crests or corners between two distances from the known end; at the shape's level without any.
+RoundBeyond roundBeyond(const std::vector<NearEnd>& near, double from_mm, double to_mm, double level_mm, double end_mm,
+                        double sign)
+{
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (const NearEnd& point : near) {
+        if (!point.is_high || point.beyond_mm < from_mm || point.beyond_mm > to_mm) continue;
+        const double x = sign * point.beyond_mm;
+        n += 1;
+        sx += x;
+        sy += point.r_mm;
+        sxx += x * x;
+        sxy += x * point.r_mm;
+    }
+    const double spread = n * sxx - sx * sx;
+    if (!(spread > 0)) return {end_mm, level_mm, 0};
+    const double slope = (n * sxy - sx * sy) / spread;
+    return {end_mm, (sy - slope * sx) / n, slope};
+}
+
 }  // namespace
 
 bool isBelowRound(const SectionShape& shape, double radius_mm, double sigma_mm)
@@ -127,17 +150,17 @@ void placeStretchEnds(const MeridianCloud& cloud, double sigma_mm, NotRoundStret
 {
     const double reach_mm = stretch.shape.kind == MarkKind::Thread ? stretchEnds.helix_reach_mm : stretchEnds.reach_mm;
     const double before_mm = std::max(reach_mm, (stretch.to_mm - stretch.from_mm) / 3);
-    const auto place = [&](double& end_mm, double sign) {
+    const auto place = [&](double& end_mm, double sign, RoundBeyond& beyond) {
         end_mm += sign * growthOf(cloud, stretch, sigma_mm, end_mm, sign);
         const std::vector<NearEnd> near = pointsNear(cloud, stretch, sigma_mm, end_mm, sign, before_mm);
-        const double change = changeOf(near, reach_mm),
-                     extension = extensionOf(near, change, stretchEnds.low_sigmas * sigma_mm + stretchEnds.low_mm),
-                     known = end_mm;
+        const double change = changeOf(near, reach_mm), known = end_mm;
+        const double extension = extensionOf(near, change, stretchEnds.low_sigmas * sigma_mm + stretchEnds.low_mm);
+        beyond = roundBeyond(near, change, extension, stretch.shape.level_mm, known, sign);
         end_mm = known + sign * change;
         return known + sign * extension;
     };
-    stretch.mark.z_start_mm = place(stretch.from_mm, -1);
-    stretch.mark.z_end_mm = place(stretch.to_mm, 1);
+    stretch.mark.z_start_mm = place(stretch.from_mm, -1, stretch.before);
+    stretch.mark.z_end_mm = place(stretch.to_mm, 1, stretch.behind);
 }
 
 }  // namespace lathelier::features

@@ -15,7 +15,7 @@ struct SectionLimits {
     double shortest_mm = 0.5, longest_mm = 2;       ///< length of a section
     double most_sections = 4000;                    ///< bounds the memory
     double wall_gap_mm = 0.5, wall_gap_sigmas = 8;  ///< points of a sector further apart lie on different walls
-    double least_seen_share = 0.15;                 ///< of the sectors: fewer show no shape
+    double least_seen_share = 0.08;                 ///< of the sectors: fewer show no shape
     double least_spread_mm = 0.04, least_spread_sigmas = 2;  ///< rms of the radius: a lower one is called round
     double like_spread = 0.7;                                ///< rms difference of equal sections, of their own spread
     double like_sigmas = 3;                                  ///< besides: noise of the medians of sectors
@@ -51,8 +51,9 @@ struct StretchProof {
     double phase_step_deg = 0.25;
     double flat_share = 0.6;         ///< of the half angle of a face: used for the search, chamfered corners lie beyond
     double least_flat_share = 0.35;  ///< of the circle on faces, the rest on the corner circle
-    double corner_deg = 1;           ///< beside a corner, where the search for the circle over it begins
-    std::size_t least_corner_sectors = 8;    ///< else the corners are sharp
+    int corner_steps = 200;          ///< of the search for the circle over the corners, from these to the faces
+    double sharp_mm = 0.1;           ///< corners that are cut by less are sharp
+    std::size_t least_corner_sectors = 8;    ///< that are cut: then their median is the circle's radius
     double most_centre_mm = 0.3;             ///< of the prism off the axis
     double face_mm = 0.05, face_sigmas = 4;  ///< by which a single face may be off
     std::size_t least_face_points = 20;
@@ -110,6 +111,7 @@ struct StretchEnds {
     double helix_reach_mm = 4;          ///< as `reach_mm`: sections of chamfers are among those that wind
     double extend_mm = 4;               ///< of gaps and faces beyond, on a chamfer
     double extend_step_mm = 0.3;        ///< steps of that search
+    double corner_share = 0.25;         ///< of the height of a prism's corners over its faces: there it is a corner
     std::size_t least_step_points = 4;  ///< of a step, in gaps and beside them
     double shared_mm = 0.004;  ///< standard uncertainty of the walls that are made of moved points: form of the shape
     double edge_mm = 0.6;      ///< beside an end points that are not on the shape are those of the neighbour

@@ -50,11 +50,15 @@ std::vector<NearEnd> pointsNear(const MeridianCloud& cloud, const NotRoundStretc
     return near;
 }
 
-/// How far beyond the end of its sections the points go on to lie on the shape, in whole steps.
+/// How far beyond the end of its sections the points go on to lie on the shape, in whole steps; those on crests and
+/// corners as well, which a chamfer cuts.
 double growthOf(const MeridianCloud& cloud, const NotRoundStretch& stretch, double sigma_mm, double end_mm, double sign)
 {
     const double limit = stretchProof.on_sigmas * sigma_mm + stretchProof.on_mm;
-    std::vector<ShareOn> steps;
+    struct Step {
+        ShareOn all, high;
+    };
+    std::vector<Step> steps;
     for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
         const double z = static_cast<double>(cloud.z_mm[i]), beyond = sign * (z - end_mm);
         const auto step = static_cast<std::size_t>(std::max(0.0, beyond) / stretchEnds.grow_step_mm);
@@ -62,11 +66,14 @@ double growthOf(const MeridianCloud& cloud, const NotRoundStretch& stretch, doub
         const double radius = stretch.shape.radiusAt_mm(static_cast<double>(cloud.turn[i]), z);
         if (std::isnan(radius)) continue;
         if (step >= steps.size()) steps.resize(step + 1);
-        steps[step].add(std::abs(static_cast<double>(cloud.r_mm[i]) - radius) < limit);
+        const bool is_on = std::abs(static_cast<double>(cloud.r_mm[i]) - radius) < limit;
+        steps[step].all.add(is_on);
+        if (radius > stretch.shape.level_mm - limit) steps[step].high.add(is_on);
     }
-    const auto end = std::find_if(steps.begin(), steps.end(), [](const ShareOn& step) {
-        return step.count < static_cast<double>(stretchEnds.least_points) ||
-               step.on < stretchEnds.absorb_share * step.count;
+    const auto end = std::find_if(steps.begin(), steps.end(), [](const Step& step) {
+        return step.all.count < static_cast<double>(stretchEnds.least_points) ||
+               step.all.on < stretchEnds.absorb_share * step.all.count ||
+               step.high.on < stretchEnds.absorb_share * step.high.count;
     });
     return stretchEnds.grow_step_mm * static_cast<double>(end - steps.begin());
 }

@@ -53,6 +53,13 @@ double onPolygon_mm(int faces, double face_mm, double angle_rad)
     return face_mm / std::cos(std::remainder(angle_rad, step));
 }
 
+/// A prism cut into the first part of the collar part, with the noise of the scan.
+double cutTo_mm(const AroundPoint& p, double prism_mm)
+{
+    const double noise_mm = p.r_mm - (p.z_mm < 1 ? 11.5 + p.z_mm : 12.5);
+    return std::min(p.r_mm, prism_mm + noise_mm);
+}
+
 /// Points with noise of a section that is the same along z.
 template <class Radius>
 StretchPoints madePoints(const Radius& radius, double sigma_mm = 0.02)
@@ -190,9 +197,8 @@ TEST(HelixFit, PitchStartsAndHandOfAWorm)
 
 TEST(NotRound, AHexagonAtTheEndIsOneRowOverItsCorners)
 {
-    const Recognition result = recognizedAs([](const AroundPoint& p) {
-        return p.z_mm < 20 ? std::min(p.r_mm, onPolygon_mm(6, 10.5, p.angle_rad)) : p.r_mm;
-    });
+    const Recognition result = recognizedAs(
+        [](const AroundPoint& p) { return p.z_mm < 20 ? cutTo_mm(p, onPolygon_mm(6, 10.5, p.angle_rad)) : p.r_mm; });
     const ShaftMark* const mark = onlyMark(result, MarkKind::Hexagon);
     ASSERT_TRUE(mark);
     EXPECT_NEAR(*mark->across_flats_mm, 21, std::max(0.01, *mark->uncertainty_mm));
@@ -208,7 +214,7 @@ TEST(NotRound, AHexagonAtTheEndIsOneRowOverItsCorners)
 TEST(NotRound, ASquareWithTurnedCorners)
 {
     const Recognition result = recognizedAs([](const AroundPoint& p) {
-        return p.z_mm > 10 && p.z_mm < 30 ? std::min(p.r_mm, onPolygon_mm(4, 10, p.angle_rad - 1)) : p.r_mm;
+        return p.z_mm > 10 && p.z_mm < 30 ? cutTo_mm(p, onPolygon_mm(4, 10, p.angle_rad - 1)) : p.r_mm;
     });
     const ShaftMark* const mark = onlyMark(result, MarkKind::Square);
     ASSERT_TRUE(mark);
@@ -237,7 +243,7 @@ TEST(NotRound, AnEccentricOfAThirdOfTheAreaIsNamed)
 TEST(NotRound, ATriangleStaysUnexplained)
 {
     const Recognition result = recognizedAs(
-        [](const AroundPoint& p) { return p.z_mm < 20 ? std::min(p.r_mm, onPolygon_mm(3, 9, p.angle_rad)) : p.r_mm; });
+        [](const AroundPoint& p) { return p.z_mm < 20 ? cutTo_mm(p, onPolygon_mm(3, 9, p.angle_rad)) : p.r_mm; });
     for (const ShaftMark& mark : result.marks) EXPECT_EQ(mark.kind, MarkKind::Flat);
     EXPECT_TRUE(!result.unexplained.empty() || result.marks.size() == 3);
     expectDiameter(result, 48, 40);

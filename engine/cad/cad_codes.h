@@ -17,12 +17,6 @@ inline constexpr ErrorCode solidVolumeWrong{
     LT_TEXT("Engine",
             "The solid made of this shaft has {found_mm3} mm³ instead of {expected_mm3} mm³; it is not written.")};
 
-inline constexpr ErrorCode markNotMade{
-    "mark_not_made", ErrorKind::NoAnswer,
-    LT_TEXT("Engine",
-            "No solid is made of this shaft: a {kind} from z {z_start_mm:1} to {z_end_mm:1} mm is not made of turned "
-            "faces. The drawing shows it.")};
-
 inline constexpr ErrorCode noSolid{
     "no_solid", ErrorKind::InputRejected,
     LT_TEXT("Engine", "The STEP file holds no solid; wireframes and loose surfaces do not bound a part.")};

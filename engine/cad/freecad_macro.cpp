@@ -7,11 +7,11 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/cad/cad_notes.h"
 #include "engine/core/units.h"
 #include "engine/core/utf8.h"
 #include "engine/shaft/shaft_contour.h"
 #include "engine/shaft/shaft_rules.h"
+#include "engine/shaft/turned_marks.h"
 
 namespace lathelier::cad {
 namespace {
@@ -290,7 +290,7 @@ private:
 std::string freecadMacro(const Shaft& shaft)
 {
     checkShaft(shaft);
-    requireTurned(shaft);
+    requireSolidOfRows(shaft);
     return Macro(shaft).text();
 }
 

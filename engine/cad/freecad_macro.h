@@ -12,7 +12,7 @@
 
 namespace lathelier::cad {
 
-/// Errors: those of checkShaft(); markNotMade.
+/// Errors: those of checkShaft(); markNotTurned.
 std::string freecadMacro(const Shaft& shaft);
 
 }  // namespace lathelier::cad

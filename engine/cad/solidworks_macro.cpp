@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "engine/cad/cad_notes.h"
 #include "engine/shaft/shaft_contour.h"
 #include "engine/shaft/shaft_rules.h"
+#include "engine/shaft/turned_marks.h"
 
 namespace lathelier::cad {
 namespace {
@@ -25,7 +25,7 @@ std::string point(const Vector2d& zr_mm)
 std::string solidworksMacro(const Shaft& shaft)
 {
     checkShaft(shaft);
-    requireTurned(shaft);
+    requireSolidOfRows(shaft);
     Contour closed = closedContour(shaft);
     if ((closed.back().to_mm - closed.front().from_mm).norm() > 1e-9)
         closed.push_back({closed.back().to_mm, closed.front().from_mm, 0});

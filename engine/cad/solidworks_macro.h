@@ -8,7 +8,7 @@
 
 namespace lathelier::cad {
 
-/// Errors: those of checkShaft(); markNotMade.
+/// Errors: those of checkShaft(); markNotTurned.
 std::string solidworksMacro(const Shaft& shaft);
 
 }  // namespace lathelier::cad

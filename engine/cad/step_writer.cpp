@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "engine/cad/cad_codes.h"
-#include "engine/cad/cad_notes.h"
 #include "engine/cad/step_solid.h"
 #include "engine/core/units.h"
 #include "engine/core/utf8.h"
 #include "engine/core/version.h"
 #include "engine/shaft/shaft_rules.h"
+#include "engine/shaft/turned_marks.h"
 
 namespace lathelier::cad {
 namespace {
@@ -100,7 +100,7 @@ std::string stepString(std::string_view utf8)
 std::string stepText(const Shaft& shaft, const StepOptions& options, const Progress& progress)
 {
     checkShaft(shaft);
-    requireTurned(shaft);
+    requireSolidOfRows(shaft);
     const auto [contour, dropped_mm] = withoutTinyPieces(closedContour(shaft));
     double largest_mm = 0;
     for (const ContourPiece& piece : contour) largest_mm = std::max(largest_mm, piece.to_mm.y());

@@ -27,7 +27,7 @@ struct StepOptions {
 };
 
 /// The file. The solid is checked before: valid, and its volume that of volume_mm3() to 1e-9. With a given time stamp
-/// the same shaft gives the same bytes. Texts may be any UTF-8. Errors: those of checkShaft(); markNotMade,
+/// the same shaft gives the same bytes. Texts may be any UTF-8. Errors: those of checkShaft(); markNotTurned,
 /// solidNotBuilt, solidVolumeWrong. Throws Cancelled. About 20 ms.
 std::string stepText(const Shaft& shaft, const StepOptions& options, const Progress& progress = {});
 

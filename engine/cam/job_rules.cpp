@@ -9,6 +9,7 @@
 #include "engine/core/units.h"
 #include "engine/shaft/shaft_codes.h"
 #include "engine/shaft/shaft_contour.h"
+#include "engine/shaft/turned_marks.h"
 
 namespace lathelier::cam {
 namespace {
@@ -51,6 +52,7 @@ double radiusOf(const ContourPiece& piece, bool highest)
 void checkPart(const Shaft& part)
 {
     if (part.segments.empty()) throw Error(errors::shaftEmpty, {});
+    requireTurned(part);
     for (std::size_t i = 0; i < part.segments.size(); ++i) {
         const ShaftSegment& segment = part.segments[i];
         const Text above = LT_TEXT("Engine", "a number above 0");

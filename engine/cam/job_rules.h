@@ -8,7 +8,7 @@ namespace lathelier::cam {
 
 /// Rows and arcs of the part: segmentImpossible with its number (from 1) for a length or diameter that is not above 0
 /// (a diameter of 0 is allowed at the free end), and an arc that is smaller than half its chord or turns back along z;
-/// shaftEmpty.
+/// shaftEmpty, markNotTurned.
 void checkPart(const Shaft& part);
 
 /// Errors stockSmallerThanPart: radius missing at the worst place, or length.

@@ -21,6 +21,7 @@
 #include "engine/features/recognition_finish.h"
 #include "engine/features/recognition_limits.h"
 #include "engine/features/scene/surroundings/left_out.h"
+#include "engine/features/stretches/rounding.h"
 #include "engine/features/structure/structure.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution/revolution_refusal.h"
@@ -38,6 +39,24 @@ RevolutionFit fitAxis(const std::vector<Vector3d>& points, FreeEnd free_end, con
     registration::orientAxis(fit);
     if (free_end == FreeEnd::Last) fit = registration::reversed(fit);
     return fit;
+}
+
+/// Makes stretches round that are not: their marks, in the frame of the new fit. Nothing changes where there are none.
+std::vector<ShaftMark> makeRound(PartPoints& part, FreeEnd free_end, RevolutionFit& fit, Meridian& meridian,
+                                 const Progress& progress)
+{
+    const double sigma_mm = meridian.coarse.sigma_mm;
+    const std::vector<NotRoundStretch> stretches = notRoundStretches(meridian.cloud, sigma_mm, fit, progress);
+    if (stretches.empty()) return {};
+    part.own = madeRound(part.all(), fit, stretches, sigma_mm, progress);
+    part.is_cut = true;
+    const RevolutionFit before = fit;
+    fit = fitAxis(part.own, free_end, progress.quiet());
+    meridian = meridianOf(part, fit, progress.quiet());
+    const std::vector<ShaftMark> marks = marksIn(fit, before, stretches);
+    shareForm(marks, meridian.coarse);
+    shareForm(marks, meridian.fine);
+    return marks;
 }
 
 /// Do most points lie on surfaces of revolution about the axis? Then the others may be named: an eccentric, a square.
@@ -170,12 +189,18 @@ void takeOutside(const Outline& outside, const RevolutionFit& fit, const AddedUn
     describeEnds(outside, result);
 }
 
-void takeMarks(std::vector<ShaftMark> marks, double zero_mm, Recognition& result)
+void takeMarks(const std::vector<ShaftMark>& marks, std::vector<ShaftMark> stretches, double zero_mm,
+               Recognition& result)
 {
-    result.marks = std::move(marks);
-    for (ShaftMark& mark : result.marks) {
+    result.marks = withStretches(marks, stretches);
+    for (ShaftMark& mark : stretches) {
         *mark.z_start_mm -= zero_mm;
         *mark.z_end_mm -= zero_mm;
+    }
+    widenRows(stretches, result.segments);
+    for (ShaftMark& mark : result.marks) {
+        *mark.z_start_mm = std::max(0.0, *mark.z_start_mm - zero_mm);
+        *mark.z_end_mm = std::min(result.ends.back().z_mm, *mark.z_end_mm - zero_mm);
     }
     nameRoughRows(result);
     if (!result.marks.empty())
@@ -267,17 +292,19 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
                  : leftOutFirst(part.all(), parameters, progress.part(0, 0.1, LT_TEXT("Engine", "Surroundings")));
     leaveOut(now, part, result, progress);
     if (scan.isMesh()) roundFacets(part, result, progress.part(0.1, 0.2));
-    const std::vector<Vector3d>& points = part.all();
-    const RevolutionFit fit = fitAxis(points, parameters.free_end, progress.part(0.1, 0.4, LT_TEXT("Engine", "Axis")));
+    RevolutionFit fit = fitAxis(part.all(), parameters.free_end, progress.part(0.1, 0.4, LT_TEXT("Engine", "Axis")));
     const bool is_spoilt = mayBeSpoilt(fit, parameters);
     if (!is_spoilt && !registration::isBodyOfRevolution(fit))
-        if (const auto next = leftOutWithoutAxis(now, points, parameters, progress))
+        if (const auto next = leftOutWithoutAxis(now, part.all(), parameters, progress))
             return recognizeOnce(scan, parameters, progress.part(0.4, 1), &*next);
     if (!is_spoilt) judgeAxis(fit, result.notes);
     Meridian meridian = meridianOf(part, fit, progress.part(0.4, 0.6, LT_TEXT("Engine", "Meridian")));
-    if (auto better = withoutSurroundings(scan, parameters, now, {points, fit, meridian.cloud, meridian.coarse},
+    if (auto better = withoutSurroundings(scan, parameters, now, {part.all(), fit, meridian.cloud, meridian.coarse},
                                           progress.part(0.6, 1)))
         return *std::move(better);
+    const std::vector<ShaftMark> stretches =
+        makeRound(part, parameters.free_end, fit, meridian, progress.part(0.6, 0.6));
+    const std::vector<Vector3d>& points = part.all();
     if (is_spoilt) judgeAxis(fit, result.notes);
     const std::vector<Cut> cuts = cutsOf(now, fit);
     endChainsAt(cuts, meridian.coarse);
@@ -294,7 +321,7 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
     const double zero = found.zero_mm();
     takeOutside(found.outside, fit, added, result);
     if (found.bore) addSeenBores(*found.bore, zero, result.ends.back().z_mm, fit, added, result);
-    takeMarks(marksOf(meridian, found, fitting), zero, result);
+    takeMarks(marksOf(meridian, found, fitting), stretches, zero, result);
     addBalls(found.outside, result);
     noteRoughZones(found.outside, result);
     describeStructure(found.seen(meridian.cloud), found.structure, zero, result, fitting);

@@ -107,8 +107,7 @@ void finishRows(const Outline& outline, Recognition& result)
     std::stable_sort(result.meridian.begin(), result.meridian.end(),
                      [](const MeridianPoint& a, const MeridianPoint& b) { return a.z_mm < b.z_mm; });
     describeRows(result);
-    result.shaft =
-        result.parameters.snap == Snap::Apply ? agreeingNominal(result, {}).shaft : measuredShaft(result);
+    result.shaft = result.parameters.snap == Snap::Apply ? agreeingNominal(result, {}).shaft : measuredShaft(result);
 }
 
 }  // namespace lathelier::features

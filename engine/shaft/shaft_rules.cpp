@@ -7,6 +7,7 @@
 #include "engine/core/units.h"
 #include "engine/shaft/shaft_codes.h"
 #include "engine/shaft/shaft_contour.h"
+#include "engine/shaft/turned_marks.h"
 
 namespace lathelier {
 namespace {
@@ -190,9 +191,10 @@ void remarkMarks(const Shaft& shaft, Notes& notes)
             inside |= *mark.z_start_mm >= z - 0.5 && *mark.z_end_mm <= z + row.length_mm + 0.5;
             z += row.length_mm;
         }
-        // A thread may begin on the chamfer before its row.
+        // A thread, teeth or faces may begin on the chamfer before their row.
         const bool isOfOneRow = mark.kind != MarkKind::Thread && mark.kind != MarkKind::Knurl &&
-                                mark.kind != MarkKind::FreeForm && mark.kind != MarkKind::Unexplained;
+                                mark.kind != MarkKind::FreeForm && mark.kind != MarkKind::Unexplained &&
+                                !isOtherThanTurned(mark.kind);
         if (!inside && isOfOneRow)
             notes.push_back({notes::markOutsideRow,
                              {{"kind", key(mark)}, {"z_start_mm", *mark.z_start_mm}, {"z_end_mm", *mark.z_end_mm}}});

@@ -4,7 +4,6 @@
 
 #include <ctime>
 
-#include "engine/cad/cad_notes.h"
 #include "engine/cad/drawing_dxf.h"
 #include "engine/cad/dxf_writer.h"
 #include "engine/cad/freecad_macro.h"
@@ -14,6 +13,7 @@
 #include "engine/drawing/drawing_svg.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
+#include "engine/shaft/turned_marks.h"
 
 namespace lathelier::cad {
 namespace {
@@ -32,7 +32,7 @@ std::string stepOf(const PartToWrite& part, const Progress& progress)
 
 std::string dxfOfPart(const PartToWrite& part, const Language& language)
 {
-    requireTurned(part.shaft);
+    requireSolidOfRows(part.shaft);
     return part.cad.dxf_contour ? contourDxf(part.shaft) : dxfText(dxfOf(part.drawing(language)));
 }
 

@@ -27,6 +27,9 @@ struct MarkLimits {
     double largest_plane_sigmas = 1.6;        ///< rms distance of these
     double floor_gap_mm = 2.5;                ///< between two pieces of one floor: two cells
     double same_floor_mm = 0.05, same_floor_deg = 2;  ///< differences of the pieces
+    // Zones of one thread.
+    double same_pitch_share = 0.005, same_major_mm = 0.1;  ///< by which pitch and crest may differ
+    double thread_gap_pitches = 2;                         ///< a relief between two threads is wider
 };
 
 inline constexpr MarkLimits markLimits;

@@ -169,6 +169,33 @@ void joinKeyways(std::vector<ShaftMark>& marks)
     marks = std::move(joined);
 }
 
+/// Zones of one thread, which a groove or noise divides, are one mark.
+void joinThreads(std::vector<ShaftMark>& marks)
+{
+    std::vector<ShaftMark> joined;
+    for (const ShaftMark& mark : marks) {
+        const auto continues = [&](const ShaftMark& last) {
+            return last.kind == MarkKind::Thread && mark.kind == MarkKind::Thread && last.starts == mark.starts &&
+                   last.hand == mark.hand &&
+                   std::abs(*last.pitch_mm - *mark.pitch_mm) < markLimits.same_pitch_share * *mark.pitch_mm &&
+                   std::abs(*last.major_mm - *mark.major_mm) < markLimits.same_major_mm &&
+                   *mark.z_start_mm - *last.z_end_mm < markLimits.thread_gap_pitches * *mark.pitch_mm;
+        };
+        const auto last = std::find_if(joined.rbegin(), joined.rend(), continues);
+        if (last == joined.rend()) {
+            joined.push_back(mark);
+            continue;
+        }
+        // Sizes are those of the longer zone.
+        const double start = std::min(*last->z_start_mm, *mark.z_start_mm),
+                     end = std::max(*last->z_end_mm, *mark.z_end_mm);
+        if (*mark.z_end_mm - *mark.z_start_mm > *last->z_end_mm - *last->z_start_mm) *last = mark;
+        last->z_start_mm = start;
+        last->z_end_mm = end;
+    }
+    marks = std::move(joined);
+}
+
 }  // namespace
 
 std::vector<ShaftMark> findMarks(const MeridianCloud& cloud, const Outline& outline, const Outline* bore,
@@ -196,6 +223,7 @@ std::vector<ShaftMark> findMarks(const MeridianCloud& cloud, const Outline& outl
     }
     std::sort(marks.begin(), marks.end(),
               [](const ShaftMark& a, const ShaftMark& b) { return a.z_start_mm < b.z_start_mm; });
+    joinThreads(marks);
     return marks;
 }
 

@@ -60,13 +60,19 @@ std::string roleOfArc(const RowChain& chain, std::size_t i)
     return between || isBreakingEdge(chain, i) ? "edge_round" : "";
 }
 
-/// The mark, thread or knurl, that covers most of a row; nullptr: none.
+/// Is a row along such a mark part of it: its crests, its corners, its own round?
+bool isWholeRow(MarkKind kind)
+{
+    return kind == MarkKind::Thread || kind == MarkKind::Knurl || kind == MarkKind::Spline ||
+           kind == MarkKind::Hexagon || kind == MarkKind::Square || kind == MarkKind::Eccentric;
+}
+
+/// The mark all around that covers most of a row; nullptr: none.
 const ShaftMark* markOn(const RecognizedRow& row, const std::vector<ShaftMark>& marks)
 {
     if (row.kind != RowKind::Cylinder) return nullptr;
     for (const ShaftMark& mark : marks) {
-        if ((mark.kind != MarkKind::Thread && mark.kind != MarkKind::Knurl) || !mark.z_start_mm || !mark.z_end_mm)
-            continue;
+        if (!isWholeRow(mark.kind) || !mark.z_start_mm || !mark.z_end_mm) continue;
         const double common = std::min(row.z_end_mm, *mark.z_end_mm) - std::max(row.z_start_mm, *mark.z_start_mm);
         if (common > roleLimits.covered_share * (row.z_end_mm - row.z_start_mm)) return &mark;
     }

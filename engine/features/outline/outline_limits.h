@@ -188,8 +188,8 @@ struct StretchLimits {
     int circle_rounds = 5;                                 ///< of its robust fit
     double circle_outlier_sigmas = 4;
     double circle_regularisation = 1e-9;  ///< of the normal matrix, in its units: points on a line have no circle
-    double largest_lobe_mm = 0.1;  ///< amplitude of lobes of form: higher ones are a shape
-    double eccentric_ratio = 1.6;  ///< an eccentric round has no more scatter than this multiple of the noise
+    double largest_lobe_mm = 0.1;         ///< amplitude of lobes of form: higher ones are a shape
+    double eccentric_ratio = 1.6;         ///< an eccentric round has no more scatter than this multiple of the noise
     double least_eccentricity_mm = 0.05;
 };
 

@@ -48,7 +48,7 @@ bool isNamed(const std::vector<ShaftMark>& marks, const CellPlace& place)
         const double rim = structureThresholds.beside_mark_mm;
         if (place.z_mm < *mark.z_start_mm - rim || place.z_mm > *mark.z_end_mm + rim) return false;
         if (mark.kind == MarkKind::CrossHole) return isInHole(mark, place);
-        if (!mark.angle_deg || !mark.width_mm) return true;
+        if (!mark.angle_deg || !mark.width_mm || mark.kind == MarkKind::Spline) return true;
         const double half = std::asin(std::min(1.0, *mark.width_mm / (2 * place.wall_mm))) + rim / place.wall_mm;
         return std::abs(std::remainder(place.angle_rad - *mark.angle_deg / deg_per_rad, turn_rad)) < half;
     });

@@ -423,7 +423,8 @@ Walls withSharedErrors(Walls walls, double variance_ratio, double passes_mm)
     for (Chain& chain : walls.chains)
         for (Wall& wall : chain.walls) {
             const double independent = wall.sigma_mm * wall.sigma_mm / std::max(1.0, wall.points);
-            wall.shared_mm = std::sqrt((variance_ratio - 1) * independent + passes_mm * passes_mm);
+            wall.shared_mm =
+                std::hypot(wall.shared_mm, std::sqrt((variance_ratio - 1) * independent + passes_mm * passes_mm));
         }
     return walls;
 }

@@ -9,7 +9,9 @@
 #include "../core/code_of_error.h"
 #include "engine/cad/cad_codes.h"
 #include "engine/cad/cad_notes.h"
+#include "engine/shaft/mark_codes.h"
 #include "engine/shaft/shaft_codes.h"
+#include "engine/shaft/turned_marks.h"
 #include "fixed_time.h"
 #include "parts.h"
 #include "tests/occurrences.h"
@@ -116,9 +118,9 @@ TEST(CadNotes, MarksAndArcsBeyondTheAxis)
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].code, notes::marksLeftOut);
     EXPECT_EQ(std::get<std::string>(*find(found[0].values, "kinds")), "keyway z 6.0-34.0, flat");
-    EXPECT_NO_THROW(requireTurned(shaft));
+    EXPECT_NO_THROW(requireSolidOfRows(shaft));
     shaft.marks.push_back({MarkKind::Spline});
-    EXPECT_THROW(requireTurned(shaft), Error);
+    EXPECT_THROW(requireSolidOfRows(shaft), Error);
     shaft.marks = {{MarkKind::Sphere}};  // made of its row
     EXPECT_TRUE(cadNotes(shaft).empty());
 }
@@ -133,7 +135,7 @@ TEST(CadNotes, HolesAreRefusedByName)
             stepText(shaft, fixedTime());
             FAIL() << key(kind);
         } catch (const Error& error) {
-            EXPECT_EQ(error.code(), errors::markNotMade);
+            EXPECT_EQ(error.code(), errors::markNotTurned);
             EXPECT_EQ(std::get<double>(*find(error.values(), "diameter_mm")), 6);
         }
     }

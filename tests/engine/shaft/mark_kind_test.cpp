@@ -1,7 +1,10 @@
 // Kinds of marks by their keys; a key that is not known is kept.
 #include <gtest/gtest.h>
 
+#include "engine/core/error.h"
+#include "engine/shaft/mark_codes.h"
 #include "engine/shaft/shaft.h"
+#include "engine/shaft/turned_marks.h"
 
 namespace lathelier {
 namespace {
@@ -31,6 +34,26 @@ TEST(MarkKind, AnUnknownOneIsKept)
         EXPECT_EQ(std::get<std::string>(nameOf(mark)), stated);
         EXPECT_EQ(std::get<std::string>(*find(toValues(mark), "kind")), stated);
     }
+}
+
+TEST(TurnedMarks, TeethPrismsAndEccentricsAreRefusedByName)
+{
+    for (const char* stated : {"spline", "hexagon", "square", "eccentric"}) {
+        const Shaft shaft{"", {}, {}, {}, {markOfKind("keyway"), markOfKind(stated)}};
+        try {
+            requireTurned(shaft);
+            FAIL() << stated;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), errors::markNotTurned);
+            EXPECT_EQ(std::get<double>(*find(error.values(), "z_start_mm")), 1.0);
+        }
+    }
+}
+
+TEST(TurnedMarks, OtherMarksAreNot)
+{
+    for (const char* stated : {"thread", "knurl", "keyway", "flat", "cross_hole", "sphere"})
+        EXPECT_NO_THROW(requireTurned(Shaft{"", {}, {}, {}, {markOfKind(stated)}})) << stated;
 }
 
 }  // namespace

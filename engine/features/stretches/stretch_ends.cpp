@@ -1,0 +1,173 @@
+#include "engine/features/stretches/stretch_ends.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/statistics.h"
+#include "engine/features/stretches/stretch_limits.h"
+
+namespace lathelier::features {
+namespace {
+
+/// A point near an end: its distance beyond the end that was known before, and whether it lies on the shape.
+struct NearEnd {
+    double beyond_mm = 0, r_mm = 0;
+    bool is_on = false;
+    bool is_below = false, is_high = false;  ///< where the shape is a gap or a face, a crest or a corner
+};
+
+struct ShareOn {
+    double count = 0, on = 0;
+
+    void add(bool is_on)
+    {
+        count += 1;
+        on += is_on ? 1 : 0;
+    }
+    /// Never quite none and all.
+    double share() const { return (on + 0.5) / (count + 1); }
+};
+
+std::vector<NearEnd> pointsNear(const MeridianCloud& cloud, const NotRoundStretch& stretch, double sigma_mm,
+                                double end_mm, double sign, double before_mm)
+{
+    const double limit = stretchProof.on_sigmas * sigma_mm + stretchProof.on_mm;
+    const SectionShape& shape = stretch.shape;
+    const double depth = shape.pitch_mm.empty() && shape.face_mm > 0 ? shape.level_mm - shape.face_mm : 0;
+    const double high = shape.level_mm - std::max(limit, stretchEnds.corner_share * depth);
+    std::vector<NearEnd> near;
+    for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
+        const double beyond = sign * (static_cast<double>(cloud.z_mm[i]) - end_mm);
+        if (beyond < -before_mm || beyond > stretchEnds.extend_mm) continue;
+        const double radius =
+            stretch.shape.radiusAt_mm(static_cast<double>(cloud.turn[i]), static_cast<double>(cloud.z_mm[i]));
+        if (std::isnan(radius)) continue;
+        const double r = static_cast<double>(cloud.r_mm[i]);
+        near.push_back(
+            {beyond, r, std::abs(r - radius) < limit, isBelowRound(stretch.shape, radius, sigma_mm), radius > high});
+    }
+    std::sort(near.begin(), near.end(), [](const NearEnd& a, const NearEnd& b) { return a.beyond_mm < b.beyond_mm; });
+    return near;
+}
+
+/// How far beyond the end of its sections the points go on to lie on the shape, in whole steps; those on crests and
+/// corners as well, which a chamfer cuts.
+double growthOf(const MeridianCloud& cloud, const NotRoundStretch& stretch, double sigma_mm, double end_mm, double sign)
+{
+    const double limit = stretchProof.on_sigmas * sigma_mm + stretchProof.on_mm;
+    struct Step {
+        ShareOn all, high;
+    };
+    std::vector<Step> steps;
+    for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
+        const double z = static_cast<double>(cloud.z_mm[i]), beyond = sign * (z - end_mm);
+        const auto step = static_cast<std::size_t>(std::max(0.0, beyond) / stretchEnds.grow_step_mm);
+        if (beyond < 0 || step >= stretchEnds.most_grow_steps) continue;
+        const double radius = stretch.shape.radiusAt_mm(static_cast<double>(cloud.turn[i]), z);
+        if (std::isnan(radius)) continue;
+        if (step >= steps.size()) steps.resize(step + 1);
+        const bool is_on = std::abs(static_cast<double>(cloud.r_mm[i]) - radius) < limit;
+        steps[step].all.add(is_on);
+        if (radius > stretch.shape.level_mm - limit) steps[step].high.add(is_on);
+    }
+    const auto end = std::find_if(steps.begin(), steps.end(), [](const Step& step) {
+        return step.all.count < static_cast<double>(stretchEnds.least_points) ||
+               step.all.on < stretchEnds.absorb_share * step.all.count ||
+               step.high.on < stretchEnds.absorb_share * step.high.count;
+    });
+    return stretchEnds.grow_step_mm * static_cast<double>(end - steps.begin());
+}
+
+/// How far beyond the known end, at most `reach_mm` from it, the shape ends; 0 where the points do not say.
+double changeOf(const std::vector<NearEnd>& near, double reach_mm)
+{
+    ShareOn inside, outside;
+    for (const NearEnd& point : near) {
+        if (point.beyond_mm < -stretchEnds.beyond_mm) inside.add(point.is_on);
+        if (point.beyond_mm > stretchEnds.beyond_mm && point.beyond_mm < stretchEnds.reach_mm) outside.add(point.is_on);
+    }
+    // Beyond the end of the data, a chamfer may be before it.
+    const double beyond = outside.count < static_cast<double>(stretchEnds.least_points)
+                              ? stretchEnds.unseen_share * inside.share()
+                              : outside.share();
+    const double of_on = std::log(inside.share() / beyond), of_off = std::log((1 - inside.share()) / (1 - beyond));
+    if (!(of_on > 0)) return 0;
+    double sum = 0, most = 0, place = -reach_mm;
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        if (near[i].beyond_mm < -reach_mm) continue;
+        if (near[i].beyond_mm > reach_mm) break;
+        sum += near[i].is_on ? of_on : of_off;
+        if (sum <= most) continue;
+        most = sum;
+        place = i + 1 < near.size() ? (near[i].beyond_mm + near[i + 1].beyond_mm) / 2 : near[i].beyond_mm;
+    }
+    return place;
+}
+
+/// How far beyond `from_mm` gaps or faces go on: there they lie below what is beside them.
+double extensionOf(const std::vector<NearEnd>& near, double from_mm, double least_mm)
+{
+    double reached = from_mm;
+    for (double step = from_mm; step < stretchEnds.extend_mm; step += stretchEnds.extend_step_mm) {
+        std::vector<double> below, high;
+        double last = reached;
+        for (const NearEnd& point : near) {
+            if (point.beyond_mm < step || point.beyond_mm > step + stretchEnds.extend_step_mm) continue;
+            if (point.is_below) below.push_back(point.r_mm);
+            if (point.is_high) high.push_back(point.r_mm);
+            if (point.is_below) last = point.beyond_mm;
+        }
+        if (std::min(below.size(), high.size()) < stretchEnds.least_step_points ||
+            !(upperMedianInPlace(below) < upperMedianInPlace(high) - least_mm))
+            break;
+        reached = last;
+    }
+    return reached;
+}
+
+/// The line through crests or corners between two distances from the known end; at the shape's level without any.
+RoundBeyond roundBeyond(const std::vector<NearEnd>& near, double from_mm, double to_mm, double level_mm, double end_mm,
+                        double sign)
+{
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (const NearEnd& point : near) {
+        if (!point.is_high || point.beyond_mm < from_mm || point.beyond_mm > to_mm) continue;
+        const double x = sign * point.beyond_mm;
+        n += 1;
+        sx += x;
+        sy += point.r_mm;
+        sxx += x * x;
+        sxy += x * point.r_mm;
+    }
+    const double spread = n * sxx - sx * sx;
+    if (!(spread > 0)) return {end_mm, level_mm, 0};
+    const double slope = (n * sxy - sx * sy) / spread;
+    return {end_mm, (sy - slope * sx) / n, slope};
+}
+
+}  // namespace
+
+bool isBelowRound(const SectionShape& shape, double radius_mm, double sigma_mm)
+{
+    return shape.kind != MarkKind::Eccentric &&
+           radius_mm < shape.level_mm - stretchEnds.low_sigmas * sigma_mm - stretchEnds.low_mm;
+}
+
+void placeStretchEnds(const MeridianCloud& cloud, double sigma_mm, NotRoundStretch& stretch)
+{
+    const double reach_mm = stretch.shape.kind == MarkKind::Thread ? stretchEnds.helix_reach_mm : stretchEnds.reach_mm;
+    const double before_mm = std::max(reach_mm, (stretch.to_mm - stretch.from_mm) / 3);
+    const auto place = [&](double& end_mm, double sign, RoundBeyond& beyond) {
+        end_mm += sign * growthOf(cloud, stretch, sigma_mm, end_mm, sign);
+        const std::vector<NearEnd> near = pointsNear(cloud, stretch, sigma_mm, end_mm, sign, before_mm);
+        const double change = changeOf(near, reach_mm), known = end_mm;
+        const double extension = extensionOf(near, change, stretchEnds.low_sigmas * sigma_mm + stretchEnds.low_mm);
+        beyond = roundBeyond(near, change, extension, stretch.shape.level_mm, known, sign);
+        end_mm = known + sign * change;
+        return known + sign * extension;
+    };
+    stretch.mark.z_start_mm = place(stretch.from_mm, -1, stretch.before);
+    stretch.mark.z_end_mm = place(stretch.to_mm, 1, stretch.behind);
+}
+
+}  // namespace lathelier::features

@@ -1,0 +1,17 @@
+// Where a stretch that is not round begins and ends along the axis.
+//
+// Of the points within a stretch nearly all lie on its shape, of those beyond fewer: the end is the change of that
+// share, by maximum likelihood. Gaps of teeth and faces of a prism that go on in a chamfer belong to the mark.
+#pragma once
+
+#include "engine/features/stretches/not_round.h"
+
+namespace lathelier::features {
+
+/// Places `from_mm`, `to_mm` and the ends of the mark. Before, from and to are those of sections.
+void placeStretchEnds(const MeridianCloud& cloud, double sigma_mm, NotRoundStretch& stretch);
+
+/// Does the shape lie so far below the round that stands for it that noise does not hide it? False on flanks.
+bool isBelowRound(const SectionShape& shape, double radius_mm, double sigma_mm);
+
+}  // namespace lathelier::features

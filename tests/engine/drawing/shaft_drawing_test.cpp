@@ -66,7 +66,7 @@ TEST(ShaftDrawing, BallsAtTheEnds)
 {
     // SR of half a ball or less, S⌀ of more.
     Shaft pin;
-    pin.segments = {{18, 0, 12, 10.0}, {25, 12, 12, {}}, {15, 18, 18, {}}, {9, 18, 0, 9.0}};
+    pin.segments = {{18, 0, 12, 0, 10.0, {}}, {25, 12, 12, 0, {}, {}}, {15, 18, 18, 0, {}, {}}, {9, 18, 0, 0, 9.0, {}}};
     const std::multiset<std::string> texts = dimensions(drawShaft(pin, {}));
     EXPECT_EQ(texts.count("S⌀20"), 1U);
     EXPECT_EQ(texts.count("SR9"), 1U);

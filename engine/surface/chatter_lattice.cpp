@@ -153,6 +153,8 @@ std::optional<ChatterLattice> chatterLattice(const WindowedPicture& picture, con
         lattice.fundamental = together->chatter;
         lattice.feed = together->feed;
     }
+    if (isOfLight(picture, lattice.feed, lattice.fundamental))
+        return std::nullopt;  // its comb may have been a sideband
     lattice.significance = lattice.lines.front().significance;
     lattice.amplitude = lattice.lines.front().amplitude;
     return lattice;

@@ -1,5 +1,5 @@
-// What is no chatter: highlights of lamps, a second feed, less than one wave in a revolution. And what is: the same
-// chatter under the lamps, six waves in an overview. The scale that a file states.
+// What is no chatter: highlights of lamps, a second feed. And what is: the same chatter under the lamps, six waves in
+// an overview. The scale that a file states.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -85,17 +85,6 @@ TEST(LineOrigin, TwoFeedsAreTwoFeeds)
     ASSERT_TRUE(marks.second_feed_marks);
     EXPECT_NEAR(*marks.second_feed_marks->pitch_mm, 0.2, 2e-3);
     EXPECT_TRUE(contains(result.notes, notes::twoFeeds));
-}
-
-TEST(LineOrigin, LessThanOneWaveIsNoChatter)
-{
-    SyntheticParameters truth = overview(4);
-    truth.frequency_hz = 0.6 * truth.speed_rpm / 60;
-    truth.amplitude_um = 3 * theoreticalDepth_um(truth);
-    const SurfaceResult result = findSurfaceMarks({{"picture", syntheticPicture(truth)}}, known(truth));
-    EXPECT_FALSE(result.images.front().chatter_marks);
-    EXPECT_EQ(result.images.front().verdict, MarksVerdict::FeedMarks);
-    EXPECT_TRUE(contains(result.notes, notes::lessThanOneWave));
 }
 
 TEST(LineOrigin, SixWavesInAnOverviewAreCertain)

@@ -30,7 +30,7 @@ std::optional<PlanePlace> seenFace(const MeridianCloud& cloud, double z_mm, doub
 struct EndPlace {
     PlanePlace place;               ///< of the part's end, if it is one
     double log_ratio = 0;           ///< ln of the evidence for the part's end to that for the end of the data; 0: none
-    double from_mm = 0, to_mm = 0;  ///< 95 % interval in which the part's end lies, if it is one
+    double from_mm = 0, to_mm = 0;  ///< interval in which the part's end lies, if it is one
 };
 
 /// The end of the hits on the wall of a run, where no rows tell it (end_rows.h): a Poisson process of constant density

@@ -89,10 +89,10 @@ struct EndRowLimits {
     double hit_probability = 0.997;  ///< of a ray clear of the edge; the others are spurious points
     double least_hit_share = 0.5;    ///< of the rays of a whole row
     double odd_cells = 0.02;         ///< share of the cells of row and sector that follow no model
-    std::array<double, 6> widths_mm{0.03, 0.06, 0.1, 0.15, 0.2, 0.3};  ///< of the spot, equally likely
+    std::array<double, 6> widths_mm{0.01, 0.05, 0.1, 0.15, 0.2, 0.3};  ///< of the spot, equally likely
     double place_step_mm = 0.005;
     double place_floor_mm2 = 36e-6;  ///< (6 µm)²
-    double tail_share = 0.025;       ///< of the posterior, on each side of the interval
+    double tail_share = 0.001;       ///< of the posterior, on each side of the interval
 };
 
 inline constexpr EndRowLimits endRowLimits;

@@ -73,7 +73,7 @@ double growthOf(const MeridianCloud& cloud, const NotRoundStretch& stretch, doub
     const auto end = std::find_if(steps.begin(), steps.end(), [](const Step& step) {
         return step.all.count < static_cast<double>(stretchEnds.least_points) ||
                step.all.on < stretchEnds.absorb_share * step.all.count ||
-               step.high.on < stretchEnds.absorb_share * step.high.count;
+               step.high.on < stretchEnds.crest_share * step.high.count;
     });
     return stretchEnds.grow_step_mm * static_cast<double>(end - steps.begin());
 }

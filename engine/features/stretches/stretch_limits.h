@@ -118,6 +118,7 @@ struct StretchEnds {
     double edge_sigmas = 5, edge_off_mm = 0.05;
     double grow_step_mm = 0.5;           ///< steps by which the sections of a stretch are followed,
     std::size_t most_grow_steps = 2000;  ///< at most
+    double crest_share = 0.97;           ///< of the points on crests and corners: fewer are those of a chamfer
     double absorb_share = 0.85;          ///< of the points of a run beside, on the shape: it is part of the stretch
     double over_share = 0.5;             ///< of another mark within a stretch: then it is part of it
 };

@@ -195,14 +195,15 @@ TEST(HelixFit, PitchStartsAndHandOfAWorm)
         << "rings";
 }
 
-TEST(NotRound, AHexagonAtTheEndIsOneRowOverItsCorners)
+TEST(NotRound, AHexagonIsOneRowOverItsCorners)
 {
-    const Recognition result = recognizedAs(
-        [](const AroundPoint& p) { return p.z_mm < 20 ? cutTo_mm(p, onPolygon_mm(6, 10.5, p.angle_rad)) : p.r_mm; });
+    const Recognition result = recognizedAs([](const AroundPoint& p) {
+        return p.z_mm > 5 && p.z_mm < 20 ? cutTo_mm(p, onPolygon_mm(6, 10.5, p.angle_rad)) : p.r_mm;
+    });
     const ShaftMark* const mark = onlyMark(result, MarkKind::Hexagon);
     ASSERT_TRUE(mark);
     EXPECT_NEAR(*mark->across_flats_mm, 21, std::max(0.01, *mark->uncertainty_mm));
-    EXPECT_NEAR(*mark->z_start_mm, 0, 0.3);
+    EXPECT_NEAR(*mark->z_start_mm, 5, 0.3);
     EXPECT_NEAR(*mark->z_end_mm, 20, 0.3);
     EXPECT_TRUE(result.unexplained.empty());
     EXPECT_TRUE(result.bores.empty());

@@ -13,8 +13,6 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 Recognition recognized(const Shape& shape, std::uint64_t seed = 1)
 {
     return recognize(shapedScan(collarPart(), coarser(seed), shape), {});
@@ -102,7 +100,7 @@ TEST(CrossHoles, ThroughHoleIsOneMark)
 {
     for (const double diameter_mm : {5.0, 6.6, 11.0}) {
         const Recognition result = recognized([&](const AroundPoint& p) -> std::optional<double> {
-            const double inside = std::min(fromHole_mm(p, 20, 0.7), fromHole_mm(p, 20, 0.7 + pi));
+            const double inside = std::min(fromHole_mm(p, 20, 0.7), fromHole_mm(p, 20, 0.7 + std::numbers::pi));
             return inside < diameter_mm / 2 ? std::nullopt : std::optional(p.r_mm);
         });
         ASSERT_EQ(result.marks.size(), 1U) << diameter_mm;
@@ -161,7 +159,7 @@ TEST(CrossHoles, BlindHoleWhoseFloorIsAtTheAxis)
 TEST(CrossHoles, UnequalOppositeHolesAreTwo)
 {
     const Recognition result = recognized([](const AroundPoint& p) -> std::optional<double> {
-        const bool gone = fromHole_mm(p, 20, 0.7) < 3 || fromHole_mm(p, 20, 0.7 + pi) < 4.5;
+        const bool gone = fromHole_mm(p, 20, 0.7) < 3 || fromHole_mm(p, 20, 0.7 + std::numbers::pi) < 4.5;
         return gone ? std::nullopt : std::optional(p.r_mm);
     });
     const std::vector<ShaftMark> holes = marksOfKind(result, MarkKind::CrossHole);
@@ -199,9 +197,11 @@ Scan flange(const std::vector<double>& angles_rad, double diameter_mm, double ci
                                  Eigen::AngleAxisd(0.6, Eigen::Vector3d(0.3, 0.9, 0.2).normalized()));
     const auto uniform = [&](std::uint64_t stream) { return randomUniform(11, stream, index); };
     const auto add = [&](double from_r, double to_r, double from_z, double to_z, bool has_holes) {
-        const double area = from_z == to_z ? pi * (to_r * to_r - from_r * from_r) : 2 * pi * from_r * (to_z - from_z);
+        const double area = from_z == to_z ? std::numbers::pi * (to_r * to_r - from_r * from_r)
+                                           : 2 * std::numbers::pi * from_r * (to_z - from_z);
         for (int i = 0; i < static_cast<int>(16 * area); ++i, ++index) {
-            const double turn = 2 * pi * uniform(0), share = uniform(1), noise = 0.02 * randomNormal(11, 2, index);
+            const double turn = 2 * std::numbers::pi * uniform(0), share = uniform(1),
+                         noise = 0.02 * randomNormal(11, 2, index);
             double r = std::sqrt(from_r * from_r + share * (to_r * to_r - from_r * from_r));
             double z = from_z + share * (to_z - from_z);
             bool gone = false;
@@ -227,7 +227,7 @@ Scan flange(const std::vector<double>& angles_rad, double diameter_mm, double ci
 std::vector<double> evenly(int count, double first_rad)
 {
     std::vector<double> angles;
-    for (int i = 0; i < count; ++i) angles.push_back(first_rad + 2 * pi * i / count);
+    for (int i = 0; i < count; ++i) angles.push_back(first_rad + 2 * std::numbers::pi * i / count);
     return angles;
 }
 

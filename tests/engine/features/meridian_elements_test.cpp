@@ -12,8 +12,6 @@
 namespace lathelier::features {
 namespace {
 
-using std::numbers::pi;
-
 /// A ball of radius R from the angle `from` about its centre to `to`, both from its pole, as short cones of equal
 /// angle; the pole lies at z = 0.
 sample::ShaftModel ballPart(double R, double from, double to)
@@ -44,7 +42,7 @@ sample::ScannerModel quiet(std::uint64_t seed, double pitch_mm = 0.1)
 TEST(BallEnd, IsClosedAtItsPole)
 {
     // Beyond its equator to a neck of ⌀12: 18 mm of the ball, then 41 mm.
-    const Recognition found = recognize(scanShaft(ballPart(10, 0, pi - std::asin(0.6)), quiet(5)), {});
+    const Recognition found = recognize(scanShaft(ballPart(10, 0, std::numbers::pi - std::asin(0.6)), quiet(5)), {});
     ASSERT_EQ(found.segments.size(), 4U);
     EXPECT_NEAR(found.length_mm.value(), 59, 0.02);
     ASSERT_EQ(found.marks.size(), 1U);
@@ -58,7 +56,7 @@ TEST(BallEnd, IsClosedAtItsPole)
     EXPECT_TRUE(contains(found.notes, notes::endIsBall));
     EXPECT_TRUE(found.unexplained.empty());
     // Segment of the ball π h² (3R - h)/3 and the rows behind it.
-    const double volume = pi * (18 * 18 * 12 / 3.0 + 36 * 25 + 81 * 15 + (81 + 72 + 64) / 3.0);
+    const double volume = std::numbers::pi * (18 * 18 * 12 / 3.0 + 36 * 25 + 81 * 15 + (81 + 72 + 64) / 3.0);
     EXPECT_NEAR(found.volume_mm3.value(), volume, 2e-3 * volume);
 }
 
@@ -66,7 +64,7 @@ TEST(BallEnd, QuarterAtTheChuck)
 {
     RecognitionParameters parameters;
     parameters.free_end = FreeEnd::Last;
-    const Recognition found = recognize(scanShaft(ballPart(8, 0, pi / 2), quiet(6)), parameters);
+    const Recognition found = recognize(scanShaft(ballPart(8, 0, std::numbers::pi / 2), quiet(6)), parameters);
     ASSERT_EQ(found.marks.size(), 1U);
     EXPECT_NEAR(found.length_mm.value(), 49, 0.02);
     EXPECT_NEAR(found.marks[0].diameter_mm.value(), 16, found.marks[0].uncertainty_mm.value() + 0.001);
@@ -77,7 +75,8 @@ TEST(BallEnd, QuarterAtTheChuck)
 
 TEST(BallEnd, FlatOrRoundedEndIsNone)
 {
-    const Recognition flat = recognize(scanShaft(ballPart(10, std::asin(0.5), pi - std::asin(0.6)), quiet(7)), {});
+    const Recognition flat =
+        recognize(scanShaft(ballPart(10, std::asin(0.5), std::numbers::pi - std::asin(0.6)), quiet(7)), {});
     EXPECT_TRUE(flat.marks.empty());
     EXPECT_NEAR(flat.segments[0].start_diameter_mm, 10, 0.2);
     sample::ShaftModel round;
@@ -157,7 +156,7 @@ TEST(LongArc, OfAnyRadiusIsOnePiece)
 TEST(SteepFlank, OfAPulleyIsACone)
 {
     for (const double angle_deg : {72.0, 75.0}) {
-        const double length = 6 / std::tan(angle_deg * pi / 180);
+        const double length = 6 / std::tan(angle_deg * std::numbers::pi / 180);
         const sample::ShaftModel pulley{
             piece(0, 8, 40, 40), piece(8, 8 + length, 40, 28), piece(8 + length, 14 + length, 28, 28),
             piece(14 + length, 14 + 2 * length, 28, 40), piece(14 + 2 * length, 22 + 2 * length, 40, 40)};
@@ -190,7 +189,7 @@ TEST(SteepFlank, FaceAcrossTheAxisIsNone)
     for (const Wall& wall : walls) EXPECT_EQ(wall.slope, 0);
     // A flank of 75° over the same height.
     for (int i = 0; i < 12; ++i) {
-        walls[static_cast<std::size_t>(i)].r_mm = 20 + std::tan(75 * pi / 180) * 0.1 * i;
+        walls[static_cast<std::size_t>(i)].r_mm = 20 + std::tan(75 * std::numbers::pi / 180) * 0.1 * i;
         walls[static_cast<std::size_t>(i)].spread_mm = 0.84 * 0.373;
         walls[static_cast<std::size_t>(i)].sigma_mm = 0.11;
     }

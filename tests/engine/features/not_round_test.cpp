@@ -68,7 +68,7 @@ StretchPoints madePoints(const Radius& radius, double sigma_mm = 0.02)
     points.sigma_mm = sigma_mm;
     constexpr std::uint64_t count = 20000;
     for (std::uint64_t i = 0; i < count; ++i) {
-        const double turn = static_cast<double>(i % 400 + 0.5 * randomUniform(7, 2, i)) / 400.5;
+        const double turn = (static_cast<double>(i % 400) + 0.5 * randomUniform(7, 2, i)) / 400.5;
         const double z = 0.3 * static_cast<double>(i / 400);
         points.turn.push_back(turn);
         points.z_mm.push_back(z);

@@ -26,6 +26,7 @@
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution/revolution_refusal.h"
 #include "engine/shaft/shaft_contour.h"
+#include "engine/shaft/turned_marks.h"
 
 namespace lathelier::features {
 namespace {
@@ -252,6 +253,19 @@ void addPublishedMethod(const std::vector<Vector3d>& points, Recognition& result
 Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress,
                           const LeftOut* left_out = nullptr);
 
+/// Is all that was cut loose points within a prism or teeth? Their corners are thin and stand clear of the walls.
+bool cutsOnlyCorners(const Recognition& found)
+{
+    return std::all_of(found.scene.begin(), found.scene.end(), [&](const SceneGroup& group) {
+        if (group.kept) return true;
+        const double z_mm = (found.part_T_scan * Vector3d((group.min_mm + group.max_mm) / 2)).z();
+        return group.kind == "clutter" &&
+               std::any_of(found.marks.begin(), found.marks.end(), [&](const ShaftMark& mark) {
+                   return isOtherThanTurned(mark.kind) && *mark.z_start_mm<z_mm&& * mark.z_end_mm> z_mm;
+               });
+    });
+}
+
 /// The recognition without what lies about the part, now that its axis and walls are known; none where nothing does.
 std::optional<Recognition> withoutSurroundings(const Scan& scan, const RecognitionParameters& parameters,
                                                const LeftOut& now, const UsedPoints& used, const Progress& progress)
@@ -259,7 +273,9 @@ std::optional<Recognition> withoutSurroundings(const Scan& scan, const Recogniti
     const std::optional<LeftOut> next = leftOutNext(now, used, parameters, progress);
     if (!next) return std::nullopt;
     try {
-        return recognizeOnce(scan, parameters, progress, &*next);
+        Recognition found = recognizeOnce(scan, parameters, progress, &*next);
+        if (!next->zones && cutsOnlyCorners(found)) return std::nullopt;
+        return found;
     } catch (const Error& error) {
         // Without the surroundings there is no part: then they are part of it. Zones are left out as asked.
         if (error.code().kind != ErrorKind::NoAnswer || next->zones) throw;
@@ -318,6 +334,7 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
     result.variance_ratio = found.structure.variance_ratio;
     const AddedUncertainty added = addedUncertainty(fit.coverage_deg, found.structure, result);
     if (parameters.length_mm) applyStatedLength(*parameters.length_mm, result.variance_ratio, found.outside);
+    widenEnds(stretches, found.outside);
     const double zero = found.zero_mm();
     takeOutside(found.outside, fit, added, result);
     if (found.bore) addSeenBores(*found.bore, zero, result.ends.back().z_mm, fit, added, result);

@@ -14,6 +14,7 @@ namespace lathelier::features {
 
 /// Places of edges, faces and ends (edges.h).
 struct EdgeLimits {
+    double most_walls_beyond_mm = 0.3;  ///< of walls beyond the end that rows of rays show: three coarse bins
     // Edges from hits and misses of rays.
     double hit_probability = 0.997;  ///< of a ray clear of the edge; the others are spurious points
     std::array<double, 13> widths_mm{0.01, 0.02, 0.04, 0.06, 0.08, 0.1, 0.12,

@@ -304,6 +304,8 @@ public:
         }
         auto& found = outline_.ends[index] = std::nullopt;
         if (input_.scanner && !input_.bore) found = endInRows(input_.cloud, model_, start, *input_.scanner);
+        // Hits that end before the walls do are not all the hits.
+        if (found && wallsBeyond_mm(run, start, found->place.z_mm) > edgeLimits.most_walls_beyond_mm) found.reset();
         if (!found && !run.elements.front().rough) found = endOf(input_.cloud, model_, run, start, lossAtEnds_mm());
         if (found) move(plane, found->place.z_mm, found->place.sigma_mm);
     }
@@ -331,6 +333,13 @@ private:
             (!before.convex && uprightAt(before, plane, 1)) || (!after.convex && uprightAt(after, plane, -1));
         return hollow ? planeLimits.hollow_margin_mm + planeLimits.least_shoulder_sigmas * model_.sigma_mm
                       : std::abs(startRadius_mm(b) - endRadius_mm(a));
+    }
+
+    /// How far the walls go on beyond a place of the end.
+    static double wallsBeyond_mm(const Run& run, bool start, double z_mm)
+    {
+        if (run.walls.empty()) return 0;
+        return start ? z_mm - run.walls.front().z_mm : run.walls.back().z_mm - z_mm;
     }
 
     /// Without rows of rays a scan may lose points beside edges whose faces it does not see.

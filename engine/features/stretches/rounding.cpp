@@ -88,6 +88,21 @@ void widenRows(const std::vector<ShaftMark>& stretches, std::vector<RecognizedRo
         }
 }
 
+void widenEnds(const std::vector<ShaftMark>& stretches, Outline& outside)
+{
+    for (const ShaftMark& mark : stretches) {
+        if (mark.kind == MarkKind::Eccentric) continue;
+        const double sigma_mm =
+            mark.kind == MarkKind::Spline ? stretchEnds.spline_end_sigma_mm : stretchEnds.end_sigma_mm;
+        for (const bool start : {true, false}) {
+            Plane& plane = start ? outside.model.planes.front() : outside.model.planes.back();
+            const double z_mm = start ? *mark.z_start_mm : *mark.z_end_mm;
+            if (!outside.face_seen[start ? 0 : 1] && std::abs(plane.z_mm - z_mm) < stretchEnds.at_end_mm)
+                plane.sigma_mm = std::max(plane.sigma_mm, sigma_mm);
+        }
+    }
+}
+
 std::vector<ShaftMark> marksIn(const registration::RevolutionFit& other, const registration::RevolutionFit& fit,
                                const std::vector<NotRoundStretch>& stretches)
 {

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "engine/features/outline/outline.h"
 #include "engine/features/recognition.h"
 #include "engine/features/stretches/not_round.h"
 
@@ -24,6 +25,10 @@ void shareForm(const std::vector<ShaftMark>& marks, Walls& walls);
 
 /// The diameter of a row that a stretch makes is as uncertain as its shape.
 void widenRows(const std::vector<ShaftMark>& stretches, std::vector<RecognizedRow>& rows);
+
+/// An end of the part in faces, teeth or turns is as uncertain as its chamfer, of which only the crests are seen,
+/// unless the face at the end is seen.
+void widenEnds(const std::vector<ShaftMark>& stretches, Outline& outside);
 
 /// Marks of the stretches in the frame of another fit of the same part.
 std::vector<ShaftMark> marksIn(const registration::RevolutionFit& other, const registration::RevolutionFit& fit,

@@ -162,7 +162,7 @@ TEST(MarksDrawing, EachKindIsNamedWithItsSizes)
     ball.segments = {{7.5, 0, 2 * std::sqrt(168.75 - 0.0), 0, 15.0, ""}};
     ball.segments[0].end_diameter_mm = 2 * std::sqrt(15.0 * 15.0 - 7.5 * 7.5);
     ball.segments.push_back({40, ball.segments[0].end_diameter_mm, ball.segments[0].end_diameter_mm, 0, {}, ""});
-    EXPECT_THAT(texts(drawShaft(ball, {})), Contains("S⌀30"));
+    EXPECT_THAT(texts(drawShaft(ball, {})), Contains("SR15"));
 }
 
 TEST(MarksDrawing, EveryPartCanBeReadOnEverySheet)

@@ -71,7 +71,7 @@ TEST(Ends, AThreadUpToTheEnd)
     const auto threaded = [](const AroundPoint& p) -> std::optional<double> {
         if (p.z_mm > 14) return p.r_mm;
         const double turn = p.z_mm / 2 - p.angle_rad / (2 * std::numbers::pi), u = turn - std::floor(turn);
-        return p.r_mm - std::clamp((0.875 - 2 * std::abs(u - 0.5)) * std::numbers::sqrt3, 0.0, 1.2);
+        return p.r_mm - std::clamp((0.875 - 2 * std::abs(u - 0.5)) * std::numbers::sqrt3, 0.0, 1.0);
     };
     const Recognition r = recognize(shapedScan(steppedPart(false), rows(0.1, 0.2, 9), threaded), {});
     ASSERT_EQ(r.ends.size(), 2U);

@@ -183,7 +183,7 @@ TEST(Nominal, CirclipGrooves)
     // On the seat of a bearing: 25 n6 is +15 to +28 µm, 25 p6 begins at +22 and reaches to +35.
     EXPECT_EQ(designationOf(circlipGrooveOf({25.009, 0.002}, {23.9, 0.003}, {1.32, 0.03}).value()), "DIN 471 - 25");
     EXPECT_EQ(designationOf(circlipGrooveOf({25.029, 0.002}, {23.9, 0.003}, {1.32, 0.03}).value()), "DIN 471 - 25");
-    EXPECT_FALSE(circlipGrooveOf({25.034, 0.002}, {23.9, 0.003}, {1.32, 0.03}));
+    EXPECT_FALSE(circlipGrooveOf({25.041, 0.002}, {23.9, 0.003}, {1.32, 0.03}));
 }
 
 TEST(Nominal, Undercuts)

@@ -71,6 +71,7 @@ TEST_P(Splines, AreNoHollowShaft)
         EXPECT_TRUE(result.bores.empty()) << share;
         EXPECT_TRUE(result.unexplained.empty()) << share;
         const ShaftMark* const mark = onlyMarkOf(result, MarkKind::Spline);
+        EXPECT_NEAR(result.length_mm.value(), 97, result.length_uncertainty_mm) << share;
         ASSERT_TRUE(mark) << share;
         EXPECT_EQ(*mark->teeth, GetParam()) << share;
         EXPECT_NEAR(*mark->major_mm, 25, std::max(0.01, *mark->uncertainty_mm)) << share;

@@ -9896,10 +9896,6 @@
         <translation>Plik STEP ma {found} ({items}); odczytuje się najwyżej {maximum}.</translation>
     </message>
     <message>
-        <source>Marks that no body of revolution shows, left out of the CAD file: {count} ({kinds}); its volume is that of the plain body.</source>
-        <translation>Ślady, których bryła obrotowa nie ma, pominięte w pliku CAD: {count} ({kinds}); jego objętość jest objętością samej bryły.</translation>
-    </message>
-    <message>
         <source>Row {row} of the contour is an arc whose centre lies beyond the axis: a surface of revolution in STEP, no torus.</source>
         <translation>Wiersz {row} zarysu jest łukiem o środku za osią: w STEP powierzchnia obrotowa, nie torus.</translation>
     </message>
@@ -10178,14 +10174,6 @@
     <message>
         <source>knurl, {teeth} teeth</source>
         <translation>radełkowanie, zębów: {teeth}</translation>
-    </message>
-    <message>
-        <source>flat, {distance} from the axis</source>
-        <translation>ścięcie, {distance} od osi</translation>
-    </message>
-    <message>
-        <source>italic: as measured, ± U (k = 2)</source>
-        <translation>kursywa: wartości zmierzone, ± U (k = 2)</translation>
     </message>
     <message>
         <source>recovered from a scan; measured values are not a specification</source>
@@ -14536,10 +14524,6 @@
         <translation>Przyjęte wymiary</translation>
     </message>
     <message>
-        <source>By a person.</source>
-        <translation>Przez człowieka.</translation>
-    </message>
-    <message>
         <source>Meridian and residuals (CSV)…</source>
         <translation>Zarys osiowy i reszty (CSV)…</translation>
     </message>
@@ -15826,6 +15810,154 @@
     <message>
         <source>U of its size</source>
         <translation>U jego wymiaru</translation>
+    </message>
+    <message>
+        <source>Marks that no body of revolution shows, left out of the CAD file: {count} ({kinds}); its volume is that of the plain body. The drawing shows them.</source>
+        <translation>Znaki, których bryła obrotowa nie pokazuje, pominięte w pliku CAD: {count} ({kinds}); jego objętość jest objętością samej bryły. Pokazuje je rysunek.</translation>
+    </message>
+    <message>
+        <source>it is prismatic; planes along the axis bound it</source>
+        <translation>jest graniasta; ograniczają ją płaszczyzny wzdłuż osi</translation>
+    </message>
+    <message>
+        <source>part of its outside is eccentric, a cylinder beside the axis</source>
+        <translation>część jej powierzchni zewnętrznej jest mimośrodowa, to walec obok osi</translation>
+    </message>
+    <message>
+        <source>Such as ISO 2768-m; empty: as the input has them, else none.</source>
+        <translation>Na przykład ISO 2768-m; puste: jak w danych, inaczej brak.</translation>
+    </message>
+    <message>
+        <source>Surface texture</source>
+        <translation>Struktura powierzchni</translation>
+    </message>
+    <message>
+        <source>Note in the title block, such as Rz 16; empty: none.</source>
+        <translation>Uwaga w tabliczce rysunkowej, na przykład Rz 16; puste: brak.</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Autor</translation>
+    </message>
+    <message>
+        <source>Empty: none.</source>
+        <translation>Puste: brak.</translation>
+    </message>
+    <message>
+        <source>Title block</source>
+        <translation type="unfinished">Tabliczka</translation>
+    </message>
+    <message>
+        <source>Suggested sizes that a person confirms, as row:quantity: 2:diameter_mm,5:leg_mm. They are put in place even beyond U.</source>
+        <translation>Proponowane wymiary, które potwierdza człowiek, jako wiersz:wielkość: 2:diameter_mm,5:leg_mm. Są wstawiane także poza U.</translation>
+    </message>
+    <message>
+        <source>through</source>
+        <translation>na wylot</translation>
+    </message>
+    <message>
+        <source>{depth} deep</source>
+        <translation>głębokość {depth}</translation>
+    </message>
+    <message>
+        <source>(length {length})</source>
+        <translation>(długość {length})</translation>
+    </message>
+    <message>
+        <source>{count}×{hole} on ⌀{circle}</source>
+        <translation>{count}×{hole} na ⌀{circle}</translation>
+    </message>
+    <message>
+        <source>AF </source>
+        <translation>rozw. </translation>
+    </message>
+    <message>
+        <source>spline {teeth}×{root}×{crest}</source>
+        <translation>wielowypust {teeth}×{root}×{crest}</translation>
+    </message>
+    <message>
+        <source>INCOMPLETE: the sheet is too small for the dimensions and sections</source>
+        <translation>NIEKOMPLETNY: arkusz jest za mały na wymiary i przekroje</translation>
+    </message>
+    <message>
+        <source>italic: as measured; not a specification. ± U: k = 2</source>
+        <translation>kursywa: wartości zmierzone; nie są wymaganiem. ± U: k = 2</translation>
+    </message>
+    <message>
+        <source>Mass without marks</source>
+        <translation>Masa bez znaków</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Rzutowanie</translation>
+    </message>
+    <message>
+        <source>The stated length of {length_mm:3} mm contradicts the data, which show {data_mm:3} ± {uncertainty_mm:3} mm.</source>
+        <translation>Podana długość {length_mm:3} mm przeczy danym, które pokazują {data_mm:3} ± {uncertainty_mm:3} mm.</translation>
+    </message>
+    <message>
+        <source>The {end} is a ball of {diameter_mm} mm with its centre on the axis: it was closed at the ball&apos;s pole. Within {unseen_diameter_mm} mm about the axis no points of it are seen: a small flat there would not be either.</source>
+        <translation>Na końcu ({end}) jest kula o średnicy {diameter_mm} mm ze środkiem na osi: zamknięto go w biegunie kuli. W odległości do {unseen_diameter_mm} mm średnicy wokół osi nie widać jej punktów: nie byłoby tam widać także małego spłaszczenia.</translation>
+    </message>
+    <message>
+        <source>Whether the part ends where the data do is not decided at the {end}: if so, from z {from_mm:3} to {to_mm:3} mm. The length is not known; state it to confirm the end.</source>
+        <translation>Nie rozstrzygnięto, czy część kończy się tam, gdzie dane ({end}): jeśli tak, to od z {from_mm:3} do {to_mm:3} mm. Długość nie jest znana; podaj ją, aby potwierdzić koniec.</translation>
+    </message>
+    <message>
+        <source>Suggested sizes that the measured ones do not agree with within U stay as measured: {count} ({sizes}). A person may confirm each.</source>
+        <translation>Proponowane wymiary, z którymi zmierzone nie zgadzają się w granicach U, pozostają zmierzone: {count} ({sizes}). Każdy może potwierdzić człowiek.</translation>
+    </message>
+    <message>
+        <source>lies from</source>
+        <translation>leży od</translation>
+    </message>
+    <message>
+        <source>, beyond U</source>
+        <translation>, poza U</translation>
+    </message>
+    <message>
+        <source>Lies between</source>
+        <translation>Leży między</translation>
+    </message>
+    <message>
+        <source>The shaft has a mark that is not turned: {mark}, z {z_start_mm:1} to {z_end_mm:1} mm. No solid and no program are made of its rows alone; the drawing shows it.</source>
+        <translation>Wałek ma znak, który nie jest toczony: {mark}, z od {z_start_mm:1} do {z_end_mm:1} mm. Z samych wierszy nie powstaje bryła ani program; pokazuje go rysunek.</translation>
+    </message>
+    <message>
+        <source>Of a shaft that was recovered from a scan.</source>
+        <translation>Wałka odtworzonego ze skanu.</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the scan</source>
+        <translation>SHA-256 skanu</translation>
+    </message>
+    <message>
+        <source>Method of the recognition</source>
+        <translation>Metoda rozpoznania</translation>
+    </message>
+    <message>
+        <source>The file states no size of its pixels; give the scale by another option.</source>
+        <translation>Plik nie podaje rozmiaru piksela; podaj skalę inną opcją.</translation>
+    </message>
+    <message>
+        <source>{path}: the scale was taken from the file, {um_per_px} µm per pixel.</source>
+        <translation>{path}: skalę wzięto z pliku, {um_per_px} µm na piksel.</translation>
+    </message>
+    <message>
+        <source>{path}: marks of two feeds lie in the picture, {pitch} and {second_pitch} {unit} apart, in different parts of it. Chatter was not looked for; evaluate each part by itself with a region.</source>
+        <translation>{path}: na zdjęciu leżą ślady dwóch posuwów, co {pitch} i co {second_pitch} {unit}, w różnych jego częściach. Drgań nie szukano; oceń każdą część osobno, podając obszar.</translation>
+    </message>
+    <message>
+        <source>{path}: a pattern of {waves} waves in a revolution was found. Less than one is no vibration of the cut; light, a second feed or the scale make it.</source>
+        <translation>{path}: znaleziono wzór o {waves} fali na obrót. Mniej niż jedna nie jest drganiem skrawania; tworzy ją światło, drugi posuw albo skala.</translation>
+    </message>
+    <message>
+        <source>Scale from the file</source>
+        <translation>Skala z pliku</translation>
+    </message>
+    <message>
+        <source>The size of a pixel that the picture&apos;s file states, as microscopes write it.</source>
+        <translation>Rozmiar piksela podany w pliku zdjęcia, tak jak zapisują go mikroskopy.</translation>
     </message>
 </context>
 <context>
@@ -18342,10 +18474,6 @@ odchyłka %3</translation>
 <context>
     <name>lathelier::recognise_panel::RowsView</name>
     <message>
-        <source>Put %1 in place of the measured size. That any size is as near to such a number: %2 %</source>
-        <translation>Wstaw %1 w miejsce wymiaru zmierzonego. Szansa, że dowolny wymiar leży tak blisko takiej liczby: %2 %</translation>
-    </message>
-    <message>
         <source>Rows</source>
         <translation>Wiersze</translation>
     </message>
@@ -18362,8 +18490,20 @@ odchyłka %3</translation>
         <translation>Przyjmij wszystkie</translation>
     </message>
     <message>
-        <source>Put all suggested sizes in place of the measured ones, which stay beside them</source>
-        <translation>Wstaw wszystkie proponowane wymiary w miejsce zmierzonych, które zostają obok</translation>
+        <source>Put %1 in place of the measured size.</source>
+        <translation>Wstaw %1 w miejsce zmierzonego wymiaru.</translation>
+    </message>
+    <message>
+        <source>The measured size is further from it than its U: only you can confirm it.</source>
+        <translation>Zmierzony wymiar jest dalej od niego niż jego U: tylko Ty możesz go potwierdzić.</translation>
+    </message>
+    <message>
+        <source>That any size is as near to such a number: %1 %</source>
+        <translation>Że dowolny wymiar leży tak blisko takiej liczby: %1 %</translation>
+    </message>
+    <message>
+        <source>Put all suggested sizes that the measured ones agree with within U in their place; the measured ones stay beside them</source>
+        <translation>Wstaw wszystkie proponowane wymiary, z którymi zmierzone zgadzają się w granicach U; zmierzone stoją obok nich</translation>
     </message>
 </context>
 <context>

@@ -212,6 +212,7 @@ std::vector<ShaftMark> findMarks(const MeridianCloud& cloud, const Outline& outl
     dropTeeth(marks);
     for (ShaftMark& mark : marks)
         if (mark.kind == MarkKind::Keyway) measureSlot(scan, mark, progress);
+    joinKeyways(marks);  // pieces that were too unlike are alike now that each was measured over the whole slot
     for (const RoughZone& zone : outline.rough) {
         if (zone.eccentric_mm > 0) continue;
         double about = 0;

@@ -15845,7 +15845,7 @@
     </message>
     <message>
         <source>Title block</source>
-        <translation type="unfinished">Tabliczka</translation>
+        <translation>Tabliczka</translation>
     </message>
     <message>
         <source>Suggested sizes that a person confirms, as row:quantity: 2:diameter_mm,5:leg_mm. They are put in place even beyond U.</source>

@@ -130,13 +130,13 @@ TEST(CadNotes, HolesAreRefusedByName)
     for (const MarkKind kind : {MarkKind::CrossHole, MarkKind::BoltCircle}) {
         Shaft shaft = tableOne();
         shaft.marks = {{MarkKind::Keyway}, {kind}};
-        shaft.marks[1].diameter_mm = 6;
+        shaft.marks[1].z_start_mm = 6;
         try {
             stepText(shaft, fixedTime());
             FAIL() << key(kind);
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), errors::markNotTurned);
-            EXPECT_EQ(std::get<double>(*find(error.values(), "diameter_mm")), 6);
+            EXPECT_EQ(std::get<double>(*find(error.values(), "z_start_mm")), 6);
         }
     }
 }

@@ -37,7 +37,8 @@ std::vector<DrawnFeature> featuresBesideOutside(const Shaft& part)
     for (const DrawnThread& thread : threadsOf(part))
         all.push_back({MarkKind::Thread, thread.z_start_mm, thread.z_end_mm, thread.major_mm, thread.designation});
     for (const ShaftMark& mark : part.marks) {
-        if (mark.kind == MarkKind::Thread || mark.kind == MarkKind::Sphere) continue;  // among those above, or in the rows
+        if (mark.kind == MarkKind::Thread || mark.kind == MarkKind::Sphere)
+            continue;  // among those above, or in the rows
         all.push_back({mark.kind, mark.z_start_mm, mark.z_end_mm, mark.diameter_mm, mark.designation, mark.other_kind});
     }
     return all;

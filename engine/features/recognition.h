@@ -55,9 +55,9 @@ enum class RowKind { Cylinder, Cone, Arc };
 struct Suggestion {
     std::string quantity;  ///< "diameter_mm", "length_mm", "z_mm", "leg_mm", "radius_mm", "taper", "undercut"
     double measured_mm = 0;
-    double nominal_mm = 0;          ///< multiple of the grid
-    double difference_um = 0;       ///< measured - nominal
-    double grid_mm = 0;             ///< multiples of this are candidates
+    double nominal_mm = 0;                 ///< multiple of the grid
+    double difference_um = 0;              ///< measured - nominal
+    double grid_mm = 0;                    ///< multiples of this are candidates
     std::optional<double> chance_percent;  ///< false-match probability: an arbitrary size lies as near to a multiple;
                                            ///< none: not known, or every size does
     std::vector<std::string> fits;  ///< ISO 286 classes whose zone contains the measured value ± U, tightest first

@@ -64,8 +64,8 @@ struct BoreSegment {
     double length_mm = 0;  ///< along the axis
     double start_diameter_mm = 0;
     double end_diameter_mm = 0;
-    std::optional<double> arc_radius_mm;  ///< none: straight
-    std::string role;                     ///< as ShaftSegment::role
+    std::optional<double> arc_radius_mm;          ///< none: straight
+    std::string role;                             ///< as ShaftSegment::role
     std::optional<SizeTolerance> tolerance = {};  ///< as ShaftSegment::tolerance
     std::optional<MeasuredSize> measured = {};    ///< as ShaftSegment::measured
     friend bool operator==(const BoreSegment&, const BoreSegment&) = default;

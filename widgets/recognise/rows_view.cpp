@@ -103,8 +103,9 @@ void RowsView::addChips(int row, int column)
         if (!suggestion.agrees)
             tip += " " + tr("The measured size is further from it than its U: only you can confirm it.");
         if (suggestion.chance_percent)
-            tip += " " + tr("That any size is as near to such a number: %1 %")
-                             .arg(screenNumber(*suggestion.chance_percent, 0));
+            tip +=
+                " " +
+                tr("That any size is as near to such a number: %1 %").arg(screenNumber(*suggestion.chance_percent, 0));
         chip->setToolTip(tip);
         chip->setAccessibleName(suggestedText);
         connect(chip, &QToolButton::clicked, this, [this, sizes] { emit sizesAccepted(sizes); });
@@ -158,8 +159,9 @@ void RowsView::retranslate()
     accept_->setText(tr("Accept"));
     accept_->setToolTip(tr("Put the suggested size of this row in place of the measured one"));
     all_->setText(tr("Accept all"));
-    all_->setToolTip(tr("Put all suggested sizes that the measured ones agree with within U in their place; the "
-                        "measured ones stay beside them"));
+    all_->setToolTip(
+        tr("Put all suggested sizes that the measured ones agree with within U in their place; the "
+           "measured ones stay beside them"));
     if (outcome_) setOutcome(outcome_);
 }
 

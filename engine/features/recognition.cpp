@@ -54,7 +54,7 @@ std::vector<ShaftMark> makeRound(PartPoints& part, FreeEnd free_end, RevolutionF
     const RevolutionFit before = fit;
     fit = fitAxis(part.own, free_end, progress.quiet());
     meridian = meridianOf(part, fit, progress.quiet());
-    const std::vector<ShaftMark> marks = marksIn(fit, before, stretches);
+    std::vector<ShaftMark> marks = marksIn(fit, before, stretches);
     shareForm(marks, meridian.coarse);
     shareForm(marks, meridian.fine);
     return marks;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace lathelier::surface {
 namespace {
@@ -19,7 +20,9 @@ Grid partOf(const Grid& picture, int across, int down)
 {
     const int columns = picture.columns / 3, rows = picture.rows / 3;
     Grid part(columns, rows);
-    for (int y = 0; y < rows; ++y) std::copy_n(picture.row(down * rows + y) + across * columns, columns, part.row(y));
+    for (int y = 0; y < rows; ++y)
+        std::copy_n(std::next(picture.row(down * rows + y), static_cast<std::ptrdiff_t>(across) * columns), columns,
+                    part.row(y));
     return part;
 }
 

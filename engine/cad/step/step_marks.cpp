@@ -42,6 +42,7 @@ FaceShape shapeOf(const StepFace& face, std::size_t number, const PartFrame& fra
 void addFreeForms(MarkedCuts& result, const std::vector<FaceShape>& shapes, const Shaft& turned)
 {
     std::vector<const FaceShape*> faces;
+    faces.reserve(shapes.size());
     for (const FaceShape& shape : shapes) faces.push_back(&shape);
     std::stable_sort(faces.begin(), faces.end(),
                      [](const FaceShape* a, const FaceShape* b) { return a->z.low < b->z.low; });
@@ -125,6 +126,7 @@ MarkedCuts freeForms(const std::vector<StepFace>& faces, const std::vector<std::
 {
     MarkedCuts result;
     std::vector<FaceShape> shapes;
+    shapes.reserve(others.size());
     for (const std::size_t i : others) shapes.push_back(shapeOf(faces[i], shapes.size(), frame));
     result.unnamed = others;
     addFreeForms(result, shapes, turned);

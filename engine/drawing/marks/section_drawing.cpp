@@ -64,6 +64,7 @@ std::vector<Line> chordsOf(const Arc& arc)
         return arc.centre_mm + arc.radius_mm * Vector2d(std::cos(angle), std::sin(angle));
     };
     std::vector<Line> chords;
+    chords.reserve(steps);
     for (int i = 0; i < steps; ++i) chords.push_back({on(i), on(i + 1)});
     return chords;
 }

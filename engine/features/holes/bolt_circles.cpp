@@ -136,6 +136,7 @@ ShaftMark markOfCircle(const HoleCircle& circle, double z_mm)
 std::vector<ShaftMark> boltCircles(const std::vector<SeenFace>& faces, const Progress& progress)
 {
     std::vector<std::vector<HoleCircle>> circles;
+    circles.reserve(faces.size());
     for (const SeenFace& face : faces) circles.push_back(circlesOf(provenHoles(face, progress)));
     std::vector<ShaftMark> marks;
     for (std::size_t f = 0; f < faces.size(); ++f)

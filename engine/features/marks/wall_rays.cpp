@@ -105,7 +105,7 @@ std::vector<double> missedHeights(const std::vector<double>& heights, double pit
         for (double h = heights.front() - pitch_mm; h > low_mm; h -= pitch_mm) missed.push_back(h);
     for (std::size_t i = 1; i <= heights.size(); ++i) {
         const double next = i < heights.size() ? heights[i] : high_mm;
-        const auto count = static_cast<int>(std::min((next - last) / pitch_mm, 1e5) + 0.5) - 1;
+        const auto count = static_cast<int>(std::lround(std::min((next - last) / pitch_mm, 1e5))) - 1;
         if (next - last > columnLimits.missing_pitches * pitch_mm)
             for (int k = 1; k <= count; ++k) missed.push_back(last + (next - last) * k / (count + 1));
         last = next;

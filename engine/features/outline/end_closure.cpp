@@ -55,25 +55,22 @@ EndClosure closureOf(const Outline& outline, bool start, double variance_ratio)
     const std::size_t index = start ? 0 : 1;
     const Plane& plane = start ? outline.model.planes.front() : outline.model.planes.back();
     const EndShape shape = shapeAt(outline.model, start);
-    const double U = 2 * std::sqrt(variance_ratio) * plane.sigma_mm;
+    const double expanded_mm = 2 * std::sqrt(variance_ratio) * plane.sigma_mm;
     EndClosure found;
     const bool is_ball = outline.balls[index].has_value();
     found.shape = is_ball ? "round" : outline.face_seen[index] ? "face" : shape.name;
     found.is_whole = shape.log_ratio >= closureLimits.decisive;
-    found.from_mm = plane.z_mm - U;
-    found.to_mm = plane.z_mm + U;
+    found.from_mm = plane.z_mm - expanded_mm;
+    found.to_mm = plane.z_mm + expanded_mm;
     const auto is_any = [&](bool (Cut::*holds)(double) const) {
         return std::any_of(outline.cuts.begin(), outline.cuts.end(),
                            [&](const Cut& cut) { return (cut.*holds)(plane.z_mm); });
     };
     const auto& end = outline.ends[index];
-    if (outline.end_stated[index]) {
+    const bool at_limit = is_any(&Cut::isAtLimit);
+    if (outline.end_stated[index] || (!at_limit && (is_ball || outline.face_seen[index]))) {
         found.state = EndState::Part;
-    } else if (is_any(&Cut::isAtLimit)) {
-        found.state = EndState::Data;
-    } else if (is_ball || outline.face_seen[index]) {
-        found.state = EndState::Part;
-    } else if (is_any(&Cut::contains)) {
+    } else if (at_limit || is_any(&Cut::contains)) {
         // Between jaws the last of the part may be hidden in all directions.
         found.state = EndState::Data;
     } else {

@@ -46,7 +46,7 @@ SectionShape startingPrism(const std::vector<double>& medians, std::size_t faces
         shape.phase_turn = deg / 360;
         std::vector<double> heights;
         for (std::size_t s = 0; s < medians.size(); ++s) {
-            const double angle = shape.faceAngle_rad(sectorTurn(s));
+            const double angle = shape.faceAngle(sectorTurn(s));
             if (std::isnan(medians[s]) || std::abs(angle) > stretchProof.flat_share * half) continue;
             heights.push_back(medians[s] * std::cos(angle));
         }
@@ -73,7 +73,7 @@ bool refinePrism(const StretchPoints& points, SectionShape& shape)
         Matrix4d normal = Matrix4d::Identity() * 1e-9;
         Vector4d right = Vector4d::Zero();
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const double angle = shape.faceAngle_rad(points.turn[i]);
+            const double angle = shape.faceAngle(points.turn[i]);
             if (std::abs(angle) > stretchProof.flat_share * half) continue;
             const double normal_rad = turn_rad * points.turn[i] - angle;
             const Eigen::Vector2d out(std::cos(normal_rad), std::sin(normal_rad));
@@ -100,8 +100,7 @@ double misfitOfCorners(const std::vector<double>& medians, const SectionShape& s
     double sum = 0;
     for (std::size_t s = 0; s < medians.size(); ++s)
         if (!std::isnan(medians[s]))
-            sum +=
-                std::abs(medians[s] - std::min(level_mm, shape.face_mm / std::cos(shape.faceAngle_rad(sectorTurn(s)))));
+            sum += std::abs(medians[s] - std::min(level_mm, shape.face_mm / std::cos(shape.faceAngle(sectorTurn(s)))));
     return sum;
 }
 
@@ -120,7 +119,7 @@ void placeCorners(const std::vector<double>& medians, SectionShape& shape)
     std::vector<double> cut;
     for (std::size_t s = 0; s < medians.size(); ++s)
         if (!std::isnan(medians[s]) &&
-            shape.face_mm / std::cos(shape.faceAngle_rad(sectorTurn(s))) > shape.level_mm + 2 * step)
+            shape.face_mm / std::cos(shape.faceAngle(sectorTurn(s))) > shape.level_mm + 2 * step)
             cut.push_back(medians[s]);
     if (cut.size() >= stretchProof.least_corner_sectors)
         shape.level_mm = upperMedianInPlace(cut);
@@ -135,7 +134,7 @@ std::optional<std::vector<double>> prismFaces(const StretchPoints& points, const
     const double edge = std::acos(std::min(1.0, shape.face_mm / shape.level_mm));
     double n = 0, on = 0, squares = 0, flat = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const double angle = shape.faceAngle_rad(points.turn[i]), normal_rad = turn_rad * points.turn[i] - angle;
+        const double angle = shape.faceAngle(points.turn[i]), normal_rad = turn_rad * points.turn[i] - angle;
         const Eigen::Vector2d out(std::cos(normal_rad), std::sin(normal_rad));
         const bool is_flat = std::abs(angle) < edge;
         const double height = points.r_mm[i] * std::cos(angle) - shape.centre_mm.dot(out);
@@ -174,7 +173,7 @@ bool isStraightAlong(const StretchPoints& points, const SectionShape& shape)
     std::vector<std::vector<double>> heights(stretchProof.z_parts), turns(stretchProof.z_parts);
     const double half = stretchProof.flat_share * std::numbers::pi / static_cast<double>(shape.count);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const double angle = shape.faceAngle_rad(points.turn[i]);
+        const double angle = shape.faceAngle(points.turn[i]);
         const double off = points.r_mm[i] * std::cos(angle) - shape.face_mm;
         if (std::abs(angle) > half) continue;
         const auto part =

@@ -30,7 +30,7 @@ double SectionShape::pitchPhase(double turn, double z_mm) const
     return place - std::floor(place);
 }
 
-double SectionShape::faceAngle_rad(double turn) const
+double SectionShape::faceAngle(double turn) const
 {
     const double phase = pitchPhase(turn, 0);
     return turn_rad / static_cast<double>(count) * (phase < 0.5 ? phase : phase - 1);
@@ -43,7 +43,7 @@ double SectionShape::radiusAt_mm(double turn, double z_mm) const
         const double along = centre_mm.dot(ray), square = level_mm * level_mm - centre_mm.squaredNorm() + along * along;
         return square >= 0 ? along + std::sqrt(square) : std::numeric_limits<double>::quiet_NaN();
     }
-    if (pitch_mm.empty()) return std::min(level_mm, face_mm / std::cos(faceAngle_rad(turn)));
+    if (pitch_mm.empty()) return std::min(level_mm, face_mm / std::cos(faceAngle(turn)));
     const auto bin = static_cast<std::size_t>(pitchPhase(turn, z_mm) * static_cast<double>(pitch_mm.size()));
     return pitch_mm[std::min(bin, pitch_mm.size() - 1)];
 }

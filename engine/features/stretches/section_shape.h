@@ -37,7 +37,7 @@ struct SectionShape {
 
     double radiusAt_mm(double turn, double z_mm) const;  ///< NaN: on a flank, or not within the shape
     double pitchPhase(double turn, double z_mm) const;   ///< place within a pitch from the phase on, 0…1
-    double faceAngle_rad(double turn) const;             ///< from the normal of the nearest face
+    double faceAngle(double turn) const;                 ///< rad, from the normal of the nearest face
 };
 
 /// A shape that the points of a stretch prove, and its mark without z.

@@ -103,7 +103,7 @@ std::optional<double> parallelWidth_mm(const StretchPoints& points, const Sectio
     const double margin = stretchProof.flank_sigmas * points.sigma_mm + stretchProof.on_mm;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points.r_mm[i] < levels.root_mm + margin || points.r_mm[i] > levels.crest_mm - margin) continue;
-        widths.push_back(2 * points.r_mm[i] * std::abs(std::sin(shape.faceAngle_rad(points.turn[i]))));
+        widths.push_back(2 * points.r_mm[i] * std::abs(std::sin(shape.faceAngle(points.turn[i]))));
         (points.r_mm[i] < levels.middle_mm() ? low : high).push_back(widths.back());
     }
     const double least = stretchProof.least_flank_share * static_cast<double>(points.size()) / 2;

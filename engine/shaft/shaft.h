@@ -94,7 +94,7 @@ struct ShaftMark {
     std::optional<double> hand = {};             ///< thread: 1 right, -1 left
     std::optional<double> teeth = {};            ///< knurl, spline: number of teeth around the circle
     std::optional<double> helix_deg = {};        ///< knurl: angle of its ridges to the axis
-    std::optional<double> diameter_mm = {};      ///< of the hole, the eccentric, the sphere; knurl: over its crests
+    std::optional<double> diameter_mm = {};      ///< of a hole, eccentric, sphere; over crests or corners
     std::optional<double> depth_mm = {};         ///< knurl: from crest to root; keyway, blind hole: from the surface
     std::optional<double> through = {};          ///< hole, bolt circle: 1 through, 0 blind
     std::optional<double> count = {};            ///< bolt circle: number of holes

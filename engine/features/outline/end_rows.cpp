@@ -222,10 +222,28 @@ private:
     double logCell(std::size_t k, std::size_t s, double p) const
     {
         const double n = whole_[s], c = std::min(rows_[k].hits[s], n);
-        const double log_binomial = std::lgamma(n + 1) - std::lgamma(c + 1) - std::lgamma(n - c + 1) + c * std::log(p) +
-                                    (n - c) * std::log(1 - p);
+        const double log_binomial = logWays_[k][s] + c * std::log(p) + (n - c) * std::log(1 - p);
         constexpr double odd = endRowLimits.odd_cells;
         return std::log((1 - odd) * std::exp(log_binomial) + odd / (n + 1));
+    }
+
+    /// ln of the binomial coefficients of all cells. By a table: std::lgamma() writes a global variable.
+    void countWays()
+    {
+        const auto most = static_cast<std::size_t>(*std::max_element(whole_.begin(), whole_.end()));
+        std::vector<double> log_factorial{0};
+        log_factorial.reserve(most + 1);
+        logWays_.reserve(rows_.size());
+        for (std::size_t n = 1; n <= most; ++n)
+            log_factorial.push_back(log_factorial.back() + std::log(static_cast<double>(n)));
+        for (const ScannedRow& row : rows_) {
+            std::array<double, rowSectors>& ways = logWays_.emplace_back();
+            for (std::size_t s = 0; s < rowSectors; ++s) {
+                const auto n = static_cast<std::size_t>(whole_[s]),
+                           c = static_cast<std::size_t>(std::min(row.hits[s], whole_[s]));
+                ways[s] = log_factorial[n] - log_factorial[c] - log_factorial[n - c];
+            }
+        }
     }
 
     double logRow(std::size_t k, double p) const
@@ -249,8 +267,7 @@ private:
             } else {
                 for (std::size_t s = 0; s < rowSectors; ++s) {
                     if (whole_[s] == 0) continue;
-                    const double turn = (static_cast<double>(s) + 0.5) / static_cast<double>(rowSectors);
-                    const double seen = 0.5 - (off - radius_mm_ * leanAt(turn)) / width;
+                    const double seen = 0.5 - (off - rise_mm_[s]) / width;
                     sum += logCell(k, s, std::clamp(seen * hit_, 1 - endRowLimits.hit_probability, hit_));
                 }
             }
@@ -260,6 +277,9 @@ private:
 
     EndPlace decide()
     {
+        countWays();
+        for (std::size_t s = 0; s < rowSectors; ++s)
+            rise_mm_[s] = radius_mm_ * leanAt((static_cast<double>(s) + 0.5) / static_cast<double>(rowSectors));
         for (std::size_t k = 0; k < rows_.size(); ++k) {
             allHit_.push_back(k < first_ ? 0 : logRow(k, hit_));
             noneHit_.push_back(k < first_ ? 0 : logRow(k, 1 - endRowLimits.hit_probability));
@@ -318,14 +338,17 @@ private:
     }
 
     double sign_, guess_mm_, radius_mm_;
-    Eigen::Vector2d tilt_;                    ///< of the rows: height per radius
-    double depth_mm_ = 0, swing_mm_ = 0;      ///< half of the height that a row covers around the end
-    std::vector<RowHit> hits_;                ///< in order of height
-    std::vector<ScannedRow> rows_;            ///< likewise; those beyond the last hits are empty
-    std::size_t first_ = 0;                   ///< first row that may be incomplete
-    std::array<double, rowSectors> whole_{};  ///< hits of a whole row; 0: the sector does not count
-    double hit_ = 1, pitch_mm_ = 0;           ///< share of the rays of a whole row that hit
-    std::vector<double> allHit_, noneHit_;    ///< ln likelihood of each row when all its rays hit, or none
+    Eigen::Vector2d tilt_;                      ///< of the rows: height per radius
+    double depth_mm_ = 0, swing_mm_ = 0;        ///< half of the height that a row covers around the end
+    std::vector<RowHit> hits_;                  ///< in order of height
+    std::vector<ScannedRow> rows_;              ///< likewise; those beyond the last hits are empty
+    std::size_t first_ = 0;                     ///< first row that may be incomplete
+    std::array<double, rowSectors> whole_{};    ///< hits of a whole row; 0: the sector does not count
+    std::array<double, rowSectors> rise_mm_{};  ///< of the middle of a sector over the row at the axis
+    std::vector<std::array<double, rowSectors>>
+        logWays_;                           ///< of each row: ln of the binomial coefficients of its cells
+    double hit_ = 1, pitch_mm_ = 0;         ///< share of the rays of a whole row that hit
+    std::vector<double> allHit_, noneHit_;  ///< ln likelihood of each row when all its rays hit, or none
 };
 
 }  // namespace

@@ -81,7 +81,7 @@ public:
         for (const SectionRun& run : runs) {
             progress.check();
             const std::optional<StretchPoints> points = pointsOfRun(cloud_, run, sigma_mm_, fit_);
-            if (!points || isAbsorbed(run, *points)) continue;
+            if (!points || absorb(run, *points)) continue;
             if (const std::optional<FoundShape> found = shapeOfPoints(*points))
                 found_.push_back({found->shape, found->mark, run.from_mm, run.to_mm, {}, {}});
         }
@@ -96,7 +96,8 @@ public:
     }
 
 private:
-    bool isAbsorbed(const SectionRun& run, const StretchPoints& points)
+    /// Makes the run part of a stretch beside it whose shape it has.
+    bool absorb(const SectionRun& run, const StretchPoints& points)
     {
         for (NotRoundStretch& stretch : found_) {
             const bool is_beside = run.from_mm < stretch.to_mm + sectionLimits.join_mm &&

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -14,63 +15,56 @@ constexpr double notSeen = std::numeric_limits<double>::quiet_NaN();
 
 using SectorRadii = std::vector<double>;
 
-/// Points of the cloud by sections and in these by sectors and falling radius.
+/// Radii of the points by sections, and in these by sectors.
 class SortedSections {
 public:
-    SortedSections(const MeridianCloud& cloud, double length_mm) : first_mm_(cloud.z_first_mm), length_mm_(length_mm)
+    SortedSections(const MeridianCloud& cloud, double length_mm)
+        : first_mm_(cloud.z_first_mm),
+          length_mm_(length_mm),
+          count_(static_cast<std::size_t>(std::max(1.0, std::ceil((cloud.z_last_mm - cloud.z_first_mm) / length_mm))))
     {
-        const auto count =
-            static_cast<std::size_t>(std::max(1.0, std::ceil((cloud.z_last_mm - cloud.z_first_mm) / length_mm)));
-        start_.assign(count + 1, 0);
-        const auto placeOf = [&](std::size_t i) {
+        const std::size_t outside = count_ * sectionLimits.sectors;
+        const auto cellOf = [&](std::size_t i) {
             const double place = (static_cast<double>(cloud.z_mm[i]) - first_mm_) / length_mm;
-            return place >= 0 && place < static_cast<double>(count) ? static_cast<std::size_t>(place) : count;
-        };
-        for (std::size_t i = 0; i < cloud.z_mm.size(); ++i)
-            if (const std::size_t place = placeOf(i); place < count) ++start_[place + 1];
-        std::partial_sum(start_.begin(), start_.end(), start_.begin());
-        points_.resize(start_.back());
-        std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
-        for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
-            const std::size_t place = placeOf(i);
-            if (place == count) continue;
+            if (!(place >= 0 && place < static_cast<double>(count_))) return outside;
             const auto sector = static_cast<std::size_t>(cloud.turn[i] * static_cast<float>(sectionLimits.sectors));
-            points_[next[place]++] = {std::min(sector, sectionLimits.sectors - 1), cloud.r_mm[i]};
-        }
+            return static_cast<std::size_t>(place) * sectionLimits.sectors +
+                   std::min(sector, sectionLimits.sectors - 1);
+        };
+        start_.assign(outside + 2, 0);
+        for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) ++start_[cellOf(i) + 1];
+        std::partial_sum(start_.begin(), start_.end(), start_.begin());
+        radii_mm_.resize(start_.back());
+        std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+        for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) radii_mm_[next[cellOf(i)]++] = cloud.r_mm[i];
     }
 
-    std::size_t size() const { return start_.size() - 1; }
+    std::size_t size() const { return count_; }
     double from_mm(std::size_t section) const { return first_mm_ + static_cast<double>(section) * length_mm_; }
 
+    /// Of each sector the median radius of its outermost wall.
     SectorRadii radii(std::size_t section, double gap_mm)
     {
-        const auto begin = points_.begin() + static_cast<std::ptrdiff_t>(start_[section]),
-                   end = points_.begin() + static_cast<std::ptrdiff_t>(start_[section + 1]);
-        std::sort(begin, end, [](const Point& a, const Point& b) {
-            return a.sector != b.sector ? a.sector < b.sector : a.r_mm > b.r_mm;
-        });
         SectorRadii radii(sectionLimits.sectors, notSeen);
-        for (auto from = begin; from != end;) {
-            auto wall = from + 1, next = from + 1;
-            bool is_wall = true;
-            for (; next != end && next->sector == from->sector; ++next) {
-                is_wall = is_wall && static_cast<double>((next - 1)->r_mm - next->r_mm) <= gap_mm;
-                if (is_wall) wall = next + 1;
-            }
-            radii[from->sector] = static_cast<double>((from + (wall - from) / 2)->r_mm);
-            from = next;
+        for (std::size_t s = 0; s < sectionLimits.sectors; ++s) {
+            const std::size_t cell = section * sectionLimits.sectors + s;
+            const auto begin = radii_mm_.begin() + static_cast<std::ptrdiff_t>(start_[cell]),
+                       end = radii_mm_.begin() + static_cast<std::ptrdiff_t>(start_[cell + 1]);
+            if (begin == end) continue;
+            std::sort(begin, end, std::greater<>());
+            const auto gap =
+                std::adjacent_find(begin, end, [&](float a, float b) { return static_cast<double>(a - b) > gap_mm; });
+            const auto wall = gap == end ? end : gap + 1;
+            radii[s] = static_cast<double>(*(begin + (wall - begin) / 2));
         }
         return radii;
     }
 
 private:
-    struct Point {
-        std::size_t sector = 0;
-        float r_mm = 0;
-    };
     double first_mm_, length_mm_;
-    std::vector<std::size_t> start_;
-    std::vector<Point> points_;
+    std::size_t count_;
+    std::vector<std::size_t> start_;  ///< of each cell in the radii
+    std::vector<float> radii_mm_;
 };
 
 /// Mean and rms about it of the sectors that are seen; rms of a difference where both are.

@@ -49,7 +49,7 @@ struct Scale {
 const std::vector<Scale>& scales();
 
 enum class Layer : std::uint8_t { Contour, Axis, Hatch, Dimensions, Text, Frame };
-enum class LineType : std::uint8_t { Continuous, DashDot };
+enum class LineType : std::uint8_t { Continuous, DashDot, Dashed };
 
 inline constexpr double thick_mm = 0.5;  ///< width of visible edges
 inline constexpr double thin_mm = 0.25;  ///< width of all other lines

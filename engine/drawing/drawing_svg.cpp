@@ -61,7 +61,9 @@ private:
         out_ +=
             fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke-width=\"{}\"{}/>\n", x(line.from_mm.x()),
                         y(line.from_mm.y()), x(line.to_mm.x()), y(line.to_mm.y()), number(line.width_mm),
-                        line.type == LineType::DashDot ? " stroke-dasharray=\"6 1.2 0.4 1.2\"" : "");
+                        line.type == LineType::DashDot  ? " stroke-dasharray=\"6 1.2 0.4 1.2\""
+                        : line.type == LineType::Dashed ? " stroke-dasharray=\"2.5 1\""
+                                                        : "");
     }
 
     void add(const Arc& arc)

@@ -30,7 +30,7 @@ public:
         addCallouts(outer_, known_, true);
         addLengths();
         for (std::size_t i = 0; i < shaft.bores.size(); ++i) addBore(i);
-        addMarks(shaft, outer_, texts_, features_);
+        addMarks(shaft, outer_, known_, texts_, features_);
     }
 
     Features take()
@@ -121,7 +121,8 @@ private:
                                                rootOf(*thread)});
                 continue;
             }
-            if (hasShapeOfItsOwn(shaft_, row)) {
+            const auto [from_z_mm, to_z_mm] = roundStretch(shaft_, row);
+            if (to_z_mm <= from_z_mm) {
                 last = nullptr;
                 continue;
             }
@@ -135,7 +136,7 @@ private:
             }
             DimensionText label = texts_.text(diameterPrefix, startDiameter(row, known_));
             label.target = {Of::Diameter, {row.index}};
-            features_.diameters.push_back({row.start_z_mm, row.end_z_mm, row.start_diameter_mm, std::move(label),
+            features_.diameters.push_back({from_z_mm, to_z_mm, row.start_diameter_mm, std::move(label),
                                            row.start_diameter_mm, offsetOf(shaft_, row)});
         }
     }
@@ -174,8 +175,11 @@ private:
         if (row.measured && row.measured->length_mm) leg.measured_mm = std::abs(*row.measured->length_mm);
         const bool measured = texts_.isMeasured(leg);
         const std::string length = measured ? texts_.part(leg) : number(row.length_mm(), 2);
-        return texts_.composed(
-            length + "×" + texts_.withUnit(row.angle_deg(), known[row.index].angle_deg, measured, 1, "°"), leg);
+        // Between two values with ± the sign needs air.
+        const bool has_U = measured && (leg.U_um || known[row.index].angle_deg);
+        return texts_.composed(length + (has_U ? " × " : "×") +
+                                   texts_.withUnit(row.angle_deg(), known[row.index].angle_deg, measured, 1, "°"),
+                               leg);
     }
 
     /// The last row of the run of rows of one kind that begins at i.
@@ -228,12 +232,28 @@ private:
     {
         Size size = radius(row, known);
         const bool is_ball = row.isBall() || (outside && markOver(shaft_, MarkKind::Sphere, row));
+        if (!is_ball && outside && row.kind == RowKind::Curve && row.arc_radius_mm > 0) return crownText(row, known);
         if (!is_ball || !(row.length_mm() > std::abs(row.arc_radius_mm)))
             return texts_.text(is_ball ? "SR" : "R", size);
         size.value_mm *= 2;
         if (size.measured_mm) *size.measured_mm *= 2;
         if (size.U_um) *size.U_um *= 2;
         return texts_.text(std::string("S") + diameterPrefix, size);
+    }
+
+    /// "R2665.3 ±3.8, ⌀50.000 ±0.001 (⌀49.4 - ⌀49.4)": its largest ⌀, where no cylinder can be measured, and its ends.
+    DimensionText crownText(const ContourRow& row, const std::vector<SizeUncertainty>& known)
+    {
+        const Size arc = radius(row, known), start = startDiameter(row, known), end = endDiameter(row, known);
+        Size crest = start.value_mm > end.value_mm ? start : end;
+        const double more_mm = row.crestDiameter_mm() - crest.value_mm;
+        crest.value_mm += more_mm;
+        if (crest.measured_mm) *crest.measured_mm += more_mm;
+        if (start.U_um && end.U_um) crest.U_um = std::max(*start.U_um, *end.U_um);
+        return texts_.composed(
+            fmt::format("R{}, {}{} ({}{} - {}{})", texts_.part(arc), diameterPrefix, texts_.part(crest), diameterPrefix,
+                        number(start.value_mm, 2), diameterPrefix, number(end.value_mm, 2)),
+            texts_.isReplaced(crest) ? crest : arc);
     }
 
     void addCallouts(const std::vector<ContourRow>& rows, const std::vector<SizeUncertainty>& known, bool outside,
@@ -303,6 +323,10 @@ private:
         if (const auto& end_mm = outer_[to.before].measured_end_z_mm)
             size.measured_mm = *end_mm - outer_[first_row].measured_start_z_mm.value_or(0);
         DimensionText label = texts_.text({}, size);
+        // A length that a person stated is no measured one, and has no U.
+        const std::optional<double>& stated_mm = shaft_.recovered.stated_length_mm;
+        if (stated_mm && first_row == 0 && to.before + 1 == outer_.size() && !texts_.isReplaced(size))
+            label = {texts_.number(size.value_mm), false};
         label.target.of = DimensionTarget::Of::Length;
         for (std::size_t i = first_row; i <= to.before; ++i) label.target.rows.push_back(outer_[i].index);
         features_.lengths.push_back({from.z_mm, to.z_mm, from.radius_mm, to.radius_mm, std::move(label)});

@@ -84,6 +84,19 @@ Eigen::Vector2d ContourRow::middle_mm() const
     return piece.centre_mm() + std::abs(arc_radius_mm) * Eigen::Vector2d(std::cos(middle), std::sin(middle));
 }
 
+double ContourRow::crestDiameter_mm() const
+{
+    const double ends_mm = std::max(start_diameter_mm, end_diameter_mm);
+    if (!(arc_radius_mm > 0)) return ends_mm;
+    const double sense = end_z_mm < start_z_mm ? -1 : 1;
+    const ContourPiece piece{
+        {start_z_mm, start_diameter_mm / 2}, {end_z_mm, end_diameter_mm / 2}, sense * arc_radius_mm};
+    if (!piece.isArc()) return ends_mm;
+    const double z = piece.centre_mm().x();
+    const bool has_crest = (z - start_z_mm) * (z - end_z_mm) < 0;
+    return has_crest ? std::max(ends_mm, 2 * (piece.centre_mm().y() + arc_radius_mm)) : ends_mm;
+}
+
 double ContourRow::angle_deg() const
 {
     return std::atan2(std::abs(end_diameter_mm - start_diameter_mm) / 2, length_mm()) * 180 / std::numbers::pi;

@@ -29,6 +29,8 @@ struct ContourRow {
     double middleZ_mm() const { return (start_z_mm + end_z_mm) / 2; }
     /// z and radius of the row's middle, on the arc where it is one.
     Eigen::Vector2d middle_mm() const;
+    /// Largest diameter of the row, of an arc that of its crest where it has one.
+    double crestDiameter_mm() const;
     /// Angle between the surface and the axis, of a cone.
     double angle_deg() const;
     /// Part of a ball that ends on the axis, where its centre lies.

@@ -6,6 +6,7 @@
 #include "engine/drawing/difference_table.h"
 #include "engine/drawing/features.h"
 #include "engine/drawing/layout.h"
+#include "engine/drawing/marks/mark_geometry.h"
 #include "engine/drawing/rows.h"
 #include "engine/drawing/title_block.h"
 #include "engine/shaft/shaft_contour.h"
@@ -45,7 +46,9 @@ std::vector<Attempt> attemptsFor(const std::optional<Sheet>& sheet)
 class Composer {
 public:
     Composer(const Shaft& shaft, const DrawingOptions& options)
-        : shaft_(withStatedBores(shaft)), options_(options), block_mm_(titleBlockHeight_mm(shaft, options))
+        : shaft_(withSettledMarks(withStatedBores(shaft))),
+          options_(options),
+          block_mm_(titleBlockHeight_mm(shaft, options))
     {
         double largest = shaft.length_mm();
         for (const ShaftSegment& row : shaft.segments)

@@ -12,6 +12,7 @@
 //   whole angle of steep ones, each with its large ⌀ (where no cylinder continues it) and its length in brackets as an
 //   auxiliary dimension, undercuts "DIN 509 - E 0.6×0.2", threads "M16×2 - length" with the root as a thin line
 //   (ISO 6410-1), knurls: by leaders that never cross each other.
+// - crowned rows "R2665.3, ⌀50 (⌀49.4 - ⌀49.4)": the largest ⌀, those of the ends in brackets.
 // Numbers have up to three decimals. Nominal sizes are upright with their
 // tolerance; measured ones (ShaftSegment::measured has the same values, or DrawingOptions::measured and the row holds
 // none) are italic with ± U where U is known. U of a length joins those of its two ends. A nominal size in place of a

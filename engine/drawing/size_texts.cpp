@@ -55,7 +55,7 @@ std::string SizeTexts::withUnit(double value, const std::optional<double>& expan
             text.replace(point, 1, options_.decimal_separator);
         return text;
     };
-    return fixedNumber(value) + " ±" + fixedNumber(std::max(*expanded, std::pow(10.0, -decimals))) + unit;
+    return fixedNumber(value) + unit + " ±" + fixedNumber(std::max(*expanded, std::pow(10.0, -decimals))) + unit;
 }
 
 }  // namespace lathelier::drawing

@@ -42,7 +42,7 @@ public:
     std::string part(const Size& size) const;
     /// A text of several sizes, with a line for the one that leads.
     DimensionText composed(std::string text, const Size& leading);
-    /// A measured number with U and unit: "45.0 ±0.2°"; a nominal one with at most `decimals`.
+    /// A measured number with U and unit: "45.0° ±0.2°"; a nominal one with at most `decimals`.
     std::string withUnit(double value, const std::optional<double>& expanded, bool measured, int decimals,
                          const std::string& unit) const;
 

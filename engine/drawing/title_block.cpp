@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/texts.h"
 #include "engine/core/utf8.h"
 #include "engine/drawing/dimension_texts.h"
 
@@ -40,9 +41,17 @@ std::vector<BlockRow> rowsOf(const Shaft& shaft, const DrawingOptions& options, 
     const auto remark = [&](Text english) {
         rows.push_back({5.5, {{{}, translated(english, options), blockWidth_mm, 2.2}}});
     };
-    if (hasMeasured(shaft, options)) remark(LT_TEXT("Engine", "italic: as measured; not a specification. ± U: k = 2"));
+    if (hasMeasured(shaft, options))
+        remark(LT_TEXT("Engine", "italic: as measured; not a specification. ± U: k = 2; no ±: U is not known"));
+    if (recovered.stated_length_mm)
+        rows.push_back(
+            {5.5,
+             {{{},
+               fill(translated(LT_TEXT("Engine", "The length of {length} mm was stated; an end is not seen."), options),
+                    {{"length", shortNumber(*recovered.stated_length_mm, 3, options.decimal_separator)}}),
+               blockWidth_mm,
+               2.2}}});
     if (!recovered.scan.empty()) {
-        remark(LT_TEXT("Engine", "recovered from a scan; measured values are not a specification"));
         rows.push_back({9,
                         {{LT_TEXT("Engine", "Scan"), recovered.scan, 62},
                          {LT_TEXT("Engine", "SHA-256"), recovered.scan_sha256, 118, 2}}});

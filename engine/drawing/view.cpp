@@ -59,6 +59,8 @@ public:
     View(const Shaft& shaft, double factor)
         : factor_(factor), outside_(outerContour(shaft)), shaped_(shapedStretches(shaft))
     {
+        for (const ShapedStretch& stretch : shaped_)
+            for (const double z : {stretch.from_z_mm, stretch.to_z_mm}) partAt(z);
         if (outside_.empty()) return;
         if (shaft.bores.empty()) {
             addOutside(true);
@@ -77,6 +79,21 @@ public:
     Drawing take() { return std::move(view_); }
 
 private:
+    /// A cylinder that a stretch begins or ends in becomes two.
+    void partAt(double z_mm)
+    {
+        const auto piece = std::find_if(outside_.begin(), outside_.end(), [&](const ContourPiece& one) {
+            return !one.isArc() && std::abs(one.from_mm.y() - one.to_mm.y()) < same_mm &&
+                   z_mm > one.from_mm.x() + same_mm && z_mm < one.to_mm.x() - same_mm;
+        });
+        if (piece == outside_.end()) return;
+        const ContourPiece before = *piece;
+        piece->from_mm.x() = z_mm;
+        ContourPiece first = before;
+        first.to_mm.x() = z_mm;
+        outside_.insert(piece, first);
+    }
+
     void addLine(const Vector2d& from, const Vector2d& to, double width_mm = thick_mm)
     {
         if ((to - from).norm() * factor_ < 1e-3) return;

@@ -102,6 +102,17 @@ inline constexpr NoteCode sizesNotRecognized{
     "sizes_not_recognized", Severity::Warning,
     LT_TEXT("Engine", "The sizes of the copy were not recognised ({reason}): the rows have no measured values.")};
 
+inline constexpr NoteCode markNotFound{
+    "mark_not_found", Severity::Warning,
+    LT_TEXT("Engine",
+            "The drawing has this from z {from_mm:1} to {to_mm:1} mm, and it is not found in the copy: {kind}. Neither "
+            "the surface nor the sizes of the rows judge it."),
+    NoteRole::NotModelled};
+
+inline constexpr NoteCode marksNotCompared{
+    "marks_not_compared", Severity::Info,
+    LT_TEXT("Engine", "Marks of the drawing that the copy has too: {count}. Their sizes are not compared.")};
+
 inline constexpr NoteCode unexplainedStructure{
     "unexplained_structure", Severity::Warning,
     LT_TEXT("Engine",

@@ -214,6 +214,9 @@ const std::vector<Field<ShaftMark>>& fieldsOf(const ShaftMark*)
         markNumber("offset_mm", &M::offset_mm, LT_TEXT("Engine", "Offset from the axis"), unit::mm),
         markNumber("deviation_mm", &M::deviation_mm, LT_TEXT("Engine", "Deviation"), unit::mm),
         markNumber("uncertainty_mm", &M::uncertainty_mm, LT_TEXT("Engine", "U of its size"), unit::mm),
+        markNumber("place_uncertainty_mm", &M::place_uncertainty_mm, LT_TEXT("Engine", "U of its place"), unit::mm),
+        markNumber("depth_uncertainty_mm", &M::depth_uncertainty_mm, LT_TEXT("Engine", "U of its depth"), unit::mm),
+        markNumber("angle_uncertainty_deg", &M::angle_uncertainty_deg, LT_TEXT("Engine", "U of its angle"), unit::deg),
         field("designation", &M::designation,
               folded(LT_TEXT("Engine", "Designation"), LT_TEXT("Engine", "By its standard."))));
     return all;
@@ -226,7 +229,10 @@ const std::vector<Field<RecoveredFrom>>& fieldsOf(const RecoveredFrom*)
     static const auto all = described<R>(
         field("recovered_from_scan", &R::scan, folded(LT_TEXT("Engine", "Scan"), help)),
         field("recovered_from_sha256", &R::scan_sha256, folded(LT_TEXT("Engine", "SHA-256 of the scan"), help)),
-        field("recovered_by_method", &R::method, folded(LT_TEXT("Engine", "Method of the recognition"), help)));
+        field("recovered_by_method", &R::method, folded(LT_TEXT("Engine", "Method of the recognition"), help)),
+        field("recovered_stated_length_mm", &R::stated_length_mm, {1e-3, longest_mm},
+              folded(LT_TEXT("Engine", "Stated length"),
+                     LT_TEXT("Engine", "By a person, where the scan does not show an end."), unit::mm)));
     return all;
 }
 

@@ -101,9 +101,14 @@ struct ShaftMark {
     std::optional<double> pitch_circle_mm = {};  ///< bolt circle: diameter of the circle of their centres
     std::optional<double> offset_mm = {};        ///< eccentric: of its axis from that of the part
     std::optional<double> deviation_mm = {};     ///< free form: the largest from the plain body
-    std::optional<double> uncertainty_mm = {};   ///< expanded, k = 2, of the size that its kind is named by
-    std::string designation = {};                ///< "M16×2", "DIN 82 RGE 1.25"
-    std::string other_kind = {};                 ///< of MarkKind::Other: its key, as read; else empty
+    // Expanded uncertainties, k = 2; missing ones are not known.
+    std::optional<double> uncertainty_mm = {};  ///< of the size that its kind is named by
+    std::optional<double> place_uncertainty_mm =
+        {};  ///< of each end along z, of a hole's middle; bolt circle: of its ⌀
+    std::optional<double> depth_uncertainty_mm = {};  ///< of floor_mm or depth_mm; spline: of minor_mm
+    std::optional<double> angle_uncertainty_deg = {};
+    std::string designation = {};  ///< "M16×2", "DIN 82 RGE 1.25"
+    std::string other_kind = {};   ///< of MarkKind::Other: its key, as read; else empty
     friend bool operator==(const ShaftMark&, const ShaftMark&) = default;
 };
 
@@ -115,9 +120,10 @@ Value nameOf(const ShaftMark& mark);
 
 /// What a shaft was recovered from, for title blocks.
 struct RecoveredFrom {
-    std::string scan;         ///< name of the file; empty: the shaft was not recovered from a scan
-    std::string scan_sha256;  ///< of its content, lower-case hexadecimal
-    std::string method;       ///< of the recognition: "robust"
+    std::string scan;                             ///< name of the file; empty: the shaft was not recovered from a scan
+    std::string scan_sha256;                      ///< of its content, lower-case hexadecimal
+    std::string method;                           ///< of the recognition: "robust"
+    std::optional<double> stated_length_mm = {};  ///< by a person, where the scan does not show an end
     friend bool operator==(const RecoveredFrom&, const RecoveredFrom&) = default;
 };
 

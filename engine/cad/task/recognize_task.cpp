@@ -1,5 +1,6 @@
 #include "engine/cad/task/recognize_task.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -7,6 +8,7 @@
 #include "engine/cad/steps_view.h"
 #include "engine/core/field_within.h"
 #include "engine/core/json.h"
+#include "engine/features/features_codes.h"
 #include "engine/features/nominal/snap.h"
 #include "engine/features/refit/refit.h"
 #include "engine/features/report/recognition_plots.h"
@@ -44,7 +46,12 @@ void addSteps(RecognizeOutcome& outcome)
 
 RecoveredFrom recoveredFrom(const InputFile& scan, const features::Recognition& result)
 {
-    return {std::filesystem::path(scan.path).filename().string(), scan.sha256, result.method_used};
+    RecoveredFrom recovered{std::filesystem::path(scan.path).filename().string(), scan.sha256, result.method_used};
+    const bool is_stated = std::any_of(result.notes.begin(), result.notes.end(), [](const Note& note) {
+        return note.code.key == features::notes::endConfirmed.key;
+    });
+    if (is_stated) recovered.stated_length_mm = result.parameters.length_mm;
+    return recovered;
 }
 
 Json jsonOf(const RecognizeOutcome& outcome)
@@ -129,9 +136,11 @@ const std::vector<Field<RecognizeQuestion>>& fieldsOf(const RecognizeQuestion*)
 void requireComplete(const features::Recognition& result)
 {
     if (result.complete) return;
-    const Text reason = !result.gaps.empty() ? LT_TEXT("Engine", "there is a gap in the data")
-                        : !result.length_mm  ? LT_TEXT("Engine", "an end is not seen; state the length to confirm it")
-                                             : LT_TEXT("Engine", "a bore is not seen over its whole length");
+    const Text reason =
+        !result.gaps.empty() ? LT_TEXT("Engine", "there is a gap in the data")
+        : !result.length_mm
+            ? LT_TEXT("Engine", "an end is not seen or undecided; state the length to confirm it (--length-mm)")
+            : LT_TEXT("Engine", "a bore is not seen over its whole length");
     throw Error(errors::shaftIncomplete, {{"reason", reason}});
 }
 

@@ -21,8 +21,9 @@ struct Slot {
 
 /// A flat, or a face of a prism.
 struct FlatCut {
-    double angle_deg = 0, distance_mm = 0;  ///< from the axis
-    DimensionText across, angle;            ///< empty: not dimensioned here
+    double angle_deg = 0, distance_mm = 0;   ///< from the axis
+    DimensionText across, angle;             ///< empty: not dimensioned here
+    std::optional<double> opposite_mm = {};  ///< of the flat that `across` is measured from; none: the round side
 };
 
 /// A hole across the axis, in the plane of the section.
@@ -37,6 +38,7 @@ struct HoleCircle {
     double angle_deg = 0;  ///< of one of them
     std::size_t count = 0;
     double diameter_mm = 0, pitch_circle_mm = 0;
+    DimensionText angle = {};  ///< of the hole that `angle_deg` is of
 };
 
 /// Teeth of a spline, by convention (ISO 6413): crest and root circle, one tooth.

@@ -13,11 +13,21 @@ namespace lathelier::drawing {
 namespace {
 
 constexpr double turnShown_deg = 0.05;  // smaller angles between marks are none
+constexpr double opposite_deg = 2;      // flats that lie opposite each other within this are dimensioned as a pair
+constexpr double cornerShown_mm = 0.1;  // corners that are turned by less are sharp
+constexpr double onePlace_mm = 0.0005;  // shorter stretches are printed as one place
 
 class MarkCollector {
 public:
-    MarkCollector(const Shaft& shaft, const std::vector<ContourRow>& outer, SizeTexts& texts, Features& features)
-        : shaft_(shaft), outer_(outer), texts_(texts), features_(features), viewed_deg_(viewedAngle_deg(shaft))
+    MarkCollector(const Shaft& shaft, const std::vector<ContourRow>& outer, const std::vector<SizeUncertainty>& known,
+                  SizeTexts& texts, Features& features)
+        : shaft_(shaft),
+          outer_(outer),
+          known_(known),
+          texts_(texts),
+          features_(features),
+          viewed_(viewedMark(shaft)),
+          viewed_deg_(viewedAngle_deg(shaft))
     {
         for (const ShaftMark& mark : shaft.marks)
             if (mark.z_start_mm && mark.z_end_mm) add(mark);
@@ -58,38 +68,76 @@ private:
     double middle(const ShaftMark& mark) const { return (*mark.z_start_mm + *mark.z_end_mm) / 2; }
     double turn(const ShaftMark& mark) const { return turnOf_deg(mark, viewed_deg_); }
 
-    /// A size of the mark; `named`: the one that its U is of.
-    Size size(const ShaftMark& mark, double value_mm, bool named) const
+    using Expanded = std::optional<double>;  // U of k = 2, mm or degrees; none: not known
+
+    static Expanded joined(const Expanded& a, const Expanded& b)
+    {
+        return a && b ? Expanded(std::hypot(*a, *b)) : std::nullopt;
+    }
+
+    bool isMeasured(const ShaftMark& mark) const { return texts_.isMeasured(size(mark, 1, {})); }
+
+    /// A size of the mark and its U.
+    Size size(const ShaftMark& mark, double value_mm, const Expanded& U_mm) const
     {
         Size one{value_mm, {}, {}, {}};
         if (mark.uncertainty_mm || !shaft_.recovered.scan.empty()) one.measured_mm = value_mm;
-        if (named && mark.uncertainty_mm) one.U_um = 1000 * *mark.uncertainty_mm;
+        if (U_mm) one.U_um = 1000 * *U_mm;
         return one;
     }
 
-    DimensionText sizeText(const ShaftMark& mark, const std::string& prefix, double value_mm, bool named)
+    DimensionText sizeText(const ShaftMark& mark, const std::string& prefix, double value_mm, const Expanded& U_mm)
     {
-        return texts_.text(prefix, size(mark, value_mm, named));
+        return texts_.text(prefix, size(mark, value_mm, U_mm));
     }
 
-    DimensionText angleText(const ShaftMark& mark)
+    /// U of the ⌀ and of the radius at z.
+    Expanded diameterUncertainty_mm(double z_mm) const
     {
-        const double turned = std::abs(turn(mark));
-        if (turned < turnShown_deg) return {};
-        return {texts_.number(turned, 1) + "°", texts_.isMeasured(size(mark, turned, false))};
+        for (const ContourRow& row : outer_)
+            if (z_mm > row.start_z_mm && z_mm < row.end_z_mm && known_[row.index].start_diameter_um)
+                return *known_[row.index].start_diameter_um / 1000;
+        return std::nullopt;
     }
+
+    Expanded radiusUncertainty_mm(double z_mm) const
+    {
+        const Expanded whole = diameterUncertainty_mm(z_mm);
+        return whole ? Expanded(*whole / 2) : std::nullopt;
+    }
+
+    /// U of a length from the free end, whose own U counts as 0 where it is not known.
+    Expanded lengthUncertainty_mm(const ShaftMark& mark) const
+    {
+        const Expanded end_um = outer_.empty() ? std::nullopt : known_[outer_.front().index].z_start_um;
+        return joined(mark.place_uncertainty_mm, end_um.value_or(0) / 1000);
+    }
+
+    /// From the direction of the view, `turned_deg` away from it.
+    DimensionText angleText(const ShaftMark& mark, double turned_deg)
+    {
+        const double turned = std::abs(turned_deg);
+        if (turned < turnShown_deg) return {};
+        const Expanded U_deg =
+            joined(mark.angle_uncertainty_deg, viewed_ ? viewed_->angle_uncertainty_deg : Expanded());
+        return {texts_.withUnit(turned, U_deg, isMeasured(mark), 1, "°"), isMeasured(mark)};
+    }
+
+    DimensionText angleText(const ShaftMark& mark) { return angleText(mark, turn(mark)); }
 
     DimensionText filled(const ShaftMark& mark, Text pattern, const Values& values)
     {
-        return {fill(translated(pattern, texts_.options()), values), texts_.isMeasured(size(mark, 1, false))};
+        return {fill(translated(pattern, texts_.options()), values), isMeasured(mark)};
     }
 
     std::string depthText(const ShaftMark& hole) const
     {
         if (hole.through.value_or(0) > 0) return ", " + translated(LT_TEXT("Engine", "through"), texts_.options());
-        if (!hole.depth_mm) return {};
+        if (!hole.depth_mm)
+            return hole.through ? ", " + translated(LT_TEXT("Engine", "blind, depth not known"), texts_.options())
+                                : std::string();
         return ", " + fill(translated(LT_TEXT("Engine", "{depth} deep"), texts_.options()),
-                           {{"depth", texts_.number(*hole.depth_mm)}});
+                           {{"depth", texts_.part(size(hole, *hole.depth_mm, hole.depth_uncertainty_mm))}});
     }
 
     /// The section whose plane may lie in this stretch: one that is there, or a new one.
@@ -119,7 +167,8 @@ private:
                                         [&](const LengthDimension& one) { return one.to_z_mm > z_mm - 1e-3; });
         if (after == features_.lengths.end() || std::abs(after->to_z_mm - z_mm) < 1e-3) return;
         const double from_radius_mm = outer_.front().start_diameter_mm / 2;
-        features_.lengths.insert(after, {0, z_mm, from_radius_mm, radius_mm, sizeText(mark, {}, z_mm, false)});
+        features_.lengths.insert(
+            after, {0, z_mm, from_radius_mm, radius_mm, sizeText(mark, {}, z_mm, lengthUncertainty_mm(mark))});
     }
 
     bool addKeyway(const ShaftMark& mark)
@@ -130,10 +179,16 @@ private:
             std::abs(*floor) >= radius)
             return false;
         CrossSection& section = sectionAt(*mark.z_start_mm, *mark.z_end_mm);
-        section.slots.push_back({turn(mark), *mark.width_mm, *floor, sizeText(mark, {}, *mark.width_mm, true),
-                                 sizeText(mark, {}, radius + *floor, false), angleText(mark)});
-        section.captions.push_back(filled(mark, LT_TEXT("Engine", "(length {length})"),
-                                          {{"length", texts_.number(*mark.z_end_mm - *mark.z_start_mm, 2)}}));
+        const Expanded across_U = joined(mark.depth_uncertainty_mm, radiusUncertainty_mm(middle(mark)));
+        section.slots.push_back({turn(mark), *mark.width_mm, *floor,
+                                 sizeText(mark, {}, *mark.width_mm, mark.uncertainty_mm),
+                                 sizeText(mark, {}, radius + *floor, across_U), angleText(mark)});
+        const Size length =
+            size(mark, *mark.z_end_mm - *mark.z_start_mm, joined(mark.place_uncertainty_mm, mark.place_uncertainty_mm));
+        section.captions.push_back(
+            filled(mark, LT_TEXT("Engine", "(length {length})"),
+                   {{"length", length.U_um ? texts_.part(length) : texts_.number(length.value_mm, 2)}}));
+        if (!mark.designation.empty()) section.captions.push_back({mark.designation, false});
         for (const double z : {*mark.z_start_mm, *mark.z_end_mm}) addPlace(mark, z, *mark.width_mm / 2);
         return true;
     }
@@ -143,9 +198,22 @@ private:
         const double radius = outerRadius(outer_, middle(mark));
         if (!mark.distance_mm || std::abs(*mark.distance_mm) >= radius) return false;
         CrossSection& section = sectionAt(*mark.z_start_mm, *mark.z_end_mm);
-        section.flats.push_back(
-            {turn(mark), *mark.distance_mm, sizeText(mark, {}, radius + *mark.distance_mm, true), angleText(mark)});
         for (const double z : {*mark.z_start_mm, *mark.z_end_mm}) addPlace(mark, z, radius);
+        for (FlatCut& other : section.flats) {
+            const double off_deg = std::remainder(turn(mark) - other.angle_deg - 180, 360);
+            if (other.across.text.empty() || std::abs(off_deg) > opposite_deg) continue;
+            // Where the opposite side is flat too, the distance of both; the first one has no U of its own here.
+            other.across = sizeText(mark, {}, other.distance_mm + *mark.distance_mm,
+                                    joined(mark.uncertainty_mm, mark.uncertainty_mm));
+            other.opposite_mm = *mark.distance_mm;
+            section.flats.push_back({turn(mark), *mark.distance_mm, {}, {}});
+            if (std::abs(off_deg) > turnShown_deg) section.flats.back().angle = angleText(mark);
+            return true;
+        }
+        section.flats.push_back({turn(mark), *mark.distance_mm,
+                                 sizeText(mark, {}, radius + *mark.distance_mm,
+                                          joined(mark.uncertainty_mm, radiusUncertainty_mm(middle(mark)))),
+                                 angleText(mark)});
         return true;
     }
 
@@ -154,7 +222,7 @@ private:
         const double z = middle(mark), radius = outerRadius(outer_, z);
         if (!mark.diameter_mm || !(*mark.diameter_mm > 0) || *mark.diameter_mm >= 2 * radius) return false;
         const bool through = mark.through.value_or(0) > 0;
-        DimensionText label = sizeText(mark, diameterPrefix, *mark.diameter_mm, true);
+        DimensionText label = sizeText(mark, diameterPrefix, *mark.diameter_mm, mark.uncertainty_mm);
         label.text += depthText(mark);
         CrossSection& section = sectionAt(z, z);
         RadialHole hole{turn(mark), *mark.diameter_mm, {}, std::move(label), angleText(mark)};
@@ -170,13 +238,15 @@ private:
         const double count = mark.count.value_or(0);
         if (!mark.diameter_mm || !mark.pitch_circle_mm || !(count >= 1) || count > 1000) return false;
         CrossSection& section = sectionAt(*mark.z_start_mm, *mark.z_end_mm);
-        section.circles.push_back(
-            {turn(mark), static_cast<std::size_t>(count), *mark.diameter_mm, *mark.pitch_circle_mm});
-        DimensionText holes = sizeText(mark, diameterPrefix, *mark.diameter_mm, true);
+        const double nearest_deg = std::remainder(turn(mark), 360 / std::round(count));
+        section.circles.push_back({nearest_deg, static_cast<std::size_t>(count), *mark.diameter_mm,
+                                   *mark.pitch_circle_mm,
+                                   &mark == viewed_ ? DimensionText{} : angleText(mark, nearest_deg)});
+        DimensionText holes = sizeText(mark, diameterPrefix, *mark.diameter_mm, mark.uncertainty_mm);
         holes.text = fill(translated(LT_TEXT("Engine", "{count}×{hole} on ⌀{circle}"), texts_.options()),
                           {{"count", texts_.number(count, 0)},
                            {"hole", holes.text},
-                           {"circle", texts_.number(*mark.pitch_circle_mm)}});
+                           {"circle", texts_.part(size(mark, *mark.pitch_circle_mm, mark.place_uncertainty_mm))}});
         holes.text += depthText(mark);
         section.captions.push_back(std::move(holes));
         return true;
@@ -189,7 +259,13 @@ private:
         CrossSection& section = sectionAt(*mark.z_start_mm, *mark.z_end_mm);
         for (int i = 0; i < faces; ++i) section.flats.push_back({turn(mark) + 360.0 * i / faces, across / 2, {}, {}});
         section.flats[section.flats.size() - static_cast<std::size_t>(faces)].across =
-            sizeText(mark, translated(LT_TEXT("Engine", "AF "), texts_.options()), across, true);
+            sizeText(mark, translated(LT_TEXT("Engine", "AF "), texts_.options()), across, mark.uncertainty_mm);
+        // Corners that are turned: their ⌀; the row has none of its own.
+        const double corner_mm = across / std::cos(180.0 / faces * rad_per_deg);
+        if (2 * radius < corner_mm - cornerShown_mm)
+            section.captions.push_back(
+                sizeText(mark, translated(LT_TEXT("Engine", "corners "), texts_.options()) + diameterPrefix, 2 * radius,
+                         diameterUncertainty_mm(middle(mark))));
         addPlace(mark, *mark.z_start_mm, radius);
         addPlace(mark, *mark.z_end_mm, radius);
     }
@@ -202,10 +278,12 @@ private:
         section.teeth = Teeth{turn(mark), *mark.minor_mm, {}, {}};
         if (mark.width_mm && *mark.width_mm > 0 && *mark.width_mm < *mark.minor_mm) {
             section.teeth->width_mm = mark.width_mm;
-            section.teeth->width = sizeText(mark, {}, *mark.width_mm, false);
+            section.teeth->width = sizeText(mark, {}, *mark.width_mm, {});
         }
-        section.captions.push_back(sizeText(mark, diameterPrefix, *mark.major_mm, true));
-        section.captions.back().text += " / " + sizeText(mark, diameterPrefix, *mark.minor_mm, false).text;
+        section.captions.push_back(sizeText(mark, diameterPrefix, *mark.major_mm, mark.uncertainty_mm));
+        section.captions.back().text +=
+            " / " + sizeText(mark, diameterPrefix, *mark.minor_mm, mark.depth_uncertainty_mm).text;
+        for (const double z : {*mark.z_start_mm, *mark.z_end_mm}) addPlace(mark, z, *mark.major_mm / 2);
     }
 
     bool addEccentric(const ShaftMark& mark)
@@ -213,16 +291,16 @@ private:
         if (!mark.offset_mm || !(*mark.offset_mm > 0)) return false;
         CrossSection& section = sectionAt(*mark.z_start_mm, *mark.z_end_mm);
         if (mark.diameter_mm) section.diameter_mm = *mark.diameter_mm;
-        section.eccentric = OffsetAxis{turn(mark), *mark.offset_mm, sizeText(mark, "e ", *mark.offset_mm, true),
-                                       mark.angle_deg ? angleOfEccentric(mark) : DimensionText{}};
+        section.eccentric =
+            OffsetAxis{turn(mark), *mark.offset_mm, sizeText(mark, "e ", *mark.offset_mm, mark.uncertainty_mm),
+                       mark.angle_deg ? angleOfEccentric(mark) : DimensionText{}};
         return true;
     }
 
     /// Only beside another mark that it is measured from.
     DimensionText angleOfEccentric(const ShaftMark& mark)
     {
-        const bool alone = std::abs(std::remainder(*mark.angle_deg + 90 - viewed_deg_, 360)) < turnShown_deg;
-        return alone ? DimensionText{} : angleText(mark);
+        return &mark == viewed_ ? DimensionText{} : angleText(mark);
     }
 
     void addCallout(const ShaftMark& mark)
@@ -237,7 +315,9 @@ private:
         double height_mm = outerRadius(outer_, z);
         for (const ShapedStretch& stretch : shapedStretches(shaft_))
             if (z > stretch.from_z_mm && z < stretch.to_z_mm) height_mm = stretch.high_mm;
-        if (!text.empty()) features_.callouts.push_back({{z, height_mm}, {text, false}, Mouth::None});
+        const bool states_size = mark.designation.empty() && mark.kind != MarkKind::Unexplained;
+        if (!text.empty())
+            features_.callouts.push_back({{z, height_mm}, {text, states_size && isMeasured(mark)}, Mouth::None});
     }
 
     std::string textOf(const ShaftMark& mark) const
@@ -252,17 +332,27 @@ private:
                         {{"teeth", texts_.number(*mark.teeth, 0)},
                          {"root", texts_.number(*mark.minor_mm)},
                          {"crest", texts_.number(*mark.major_mm)}});
+        if (mark.kind == MarkKind::Unexplained && *mark.z_end_mm - *mark.z_start_mm < onePlace_mm)
+            return fill(translated(LT_TEXT("Engine", "NOT EXPLAINED, z {z}"), options),
+                        {{"z", texts_.number(*mark.z_start_mm)}});
         if (mark.kind == MarkKind::Unexplained)
             return fill(translated(LT_TEXT("Engine", "NOT EXPLAINED, z {from}-{to}"), options),
                         {{"from", texts_.number(*mark.z_start_mm)}, {"to", texts_.number(*mark.z_end_mm)}});
+        if (mark.kind == MarkKind::Other && mark.width_mm && mark.depth_mm)
+            return fill(translated(LT_TEXT("Engine", "{kind}, {width} wide, {depth} deep"), options),
+                        {{"kind", mark.other_kind},
+                         {"width", texts_.number(*mark.width_mm)},
+                         {"depth", texts_.number(*mark.depth_mm)}});
         if (mark.kind == MarkKind::Other) return mark.other_kind;
         return translated(nameOf(mark.kind), options);
     }
 
     const Shaft& shaft_;
     const std::vector<ContourRow>& outer_;
+    const std::vector<SizeUncertainty>& known_;  // of outer_
     SizeTexts& texts_;
     Features& features_;
+    const ShaftMark* viewed_;
     double viewed_deg_;
 };
 
@@ -274,9 +364,10 @@ std::string letterOf(std::size_t section)
     return section < 26 ? letter : letter + std::to_string(section / 26);
 }
 
-void addMarks(const Shaft& shaft, const std::vector<ContourRow>& outer, SizeTexts& texts, Features& features)
+void addMarks(const Shaft& shaft, const std::vector<ContourRow>& outer, const std::vector<SizeUncertainty>& known,
+              SizeTexts& texts, Features& features)
 {
-    MarkCollector(shaft, outer, texts, features);
+    MarkCollector(shaft, outer, known, texts, features);
 }
 
 }  // namespace lathelier::drawing

@@ -10,7 +10,8 @@
 
 namespace lathelier::drawing {
 
-/// `outer`: the rows of the outside; lengths of rows are in `features` already.
-void addMarks(const Shaft& shaft, const std::vector<ContourRow>& outer, SizeTexts& texts, Features& features);
+/// `outer`: the rows of the outside, `known`: their U by ContourRow::index; lengths of rows are in `features` already.
+void addMarks(const Shaft& shaft, const std::vector<ContourRow>& outer, const std::vector<SizeUncertainty>& known,
+              SizeTexts& texts, Features& features);
 
 }  // namespace lathelier::drawing

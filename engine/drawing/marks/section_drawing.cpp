@@ -200,12 +200,14 @@ private:
     /// Of a flat from the opposite side, of a prism between two faces.
     void addFlat(const FlatCut& flat)
     {
+        if (flat.across.text.empty()) return;
         const bool has_opposite = std::any_of(section_.flats.begin(), section_.flats.end(), [&](const FlatCut& other) {
             return std::abs(std::abs(std::remainder(other.angle_deg - flat.angle_deg, 360)) - 180) < 1e-3;
         });
         const double distance = factor_ * flat.distance_mm;
         const double half = std::sqrt(std::max(0.0, radius_ * radius_ - distance * distance)) / factor_;
-        addAlong(flat.angle_deg, has_opposite ? -distance : -radius_, distance, half, flat.across);
+        const double from = flat.opposite_mm ? -factor_ * *flat.opposite_mm : has_opposite ? -distance : -radius_;
+        addAlong(flat.angle_deg, from, distance, half, flat.across);
     }
 
     /// Nearest to the outline.
@@ -214,6 +216,7 @@ private:
         for (const Slot& slot : section_.slots) addAngle(slot.angle_deg, slot.angle);
         for (const FlatCut& flat : section_.flats) addAngle(flat.angle_deg, flat.angle);
         for (const RadialHole& hole : section_.holes) addAngle(hole.angle_deg, hole.angle);
+        for (const HoleCircle& circle : section_.circles) addAngle(circle.angle_deg, circle.angle);
         if (section_.eccentric) addAngle(section_.eccentric->angle_deg, section_.eccentric->angle);
     }
 

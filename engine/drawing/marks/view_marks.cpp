@@ -52,9 +52,10 @@ private:
     double turn(const ShaftMark& mark) const { return turnOf_deg(mark, viewed_deg_); }
     double radiusAt(const ShaftMark& mark) const { return outerRadius(rows_, (*mark.z_start_mm + *mark.z_end_mm) / 2); }
 
-    /// Of a half section only the lower half is left.
+    /// Of a half section only the lower half is left, and no hidden edges.
     void line(Vector2d from, Vector2d to, double width_mm = thick_mm)
     {
+        if (hidden_ && bored_) return;
         if (bored_ && from.y() > 0 && to.y() > 0) return;
         for (Vector2d* const end : {&from, &to}) {
             const Vector2d& other = end == &from ? to : from;
@@ -62,8 +63,11 @@ private:
             *end += (other - *end) * (end->y() / (end->y() - other.y()));
         }
         if ((to - from).norm() * factor_ < 1e-3) return;
-        view_.lines.push_back(
-            {factor_ * from, factor_ * to, width_mm == thick_mm ? Layer::Contour : Layer::Dimensions, width_mm});
+        if (hidden_)
+            view_.lines.push_back({factor_ * from, factor_ * to, Layer::Contour, thin_mm, LineType::Dashed});
+        else
+            view_.lines.push_back(
+                {factor_ * from, factor_ * to, width_mm == thick_mm ? Layer::Contour : Layer::Dimensions, width_mm});
     }
 
     void axis(const Vector2d& from, const Vector2d& to)
@@ -81,14 +85,15 @@ private:
         if (!(half > 0) || half >= radius) return;
         const double slot_deg = std::asin(half / radius) / rad_per_deg, from = *mark.z_start_mm, to = *mark.z_end_mm;
         double low = heightOf(turn(mark) + slot_deg, radius), high = heightOf(turn(mark) - slot_deg, radius);
-        if (!isSeen(turn(mark) + slot_deg) && !isSeen(turn(mark) - slot_deg)) return;
-        if (std::abs(turn(mark)) < 1) low = middle - half, high = middle + half;
+        hidden_ = !isSeen(turn(mark) + slot_deg) && !isSeen(turn(mark) - slot_deg);
+        if (std::abs(std::remainder(turn(mark), 180)) < 1) low = middle - half, high = middle + half;
         const double depth = std::abs(high - low) / 2;  // of a round end, along the axis half the width
         const bool round = to - from > roundEndRatio * *mark.width_mm && depth > 0;
         const double begin = round && !isOpen(from) ? from + half : from, end = round && !isOpen(to) ? to - half : to;
         for (const double y : {low, high}) line({begin, y}, {end, y});
         addKeywayEnd(begin, begin > from ? -half : 0, (low + high) / 2, depth);
         addKeywayEnd(end, end < to ? half : 0, (low + high) / 2, depth);
+        hidden_ = false;
     }
 
     /// Does a shoulder or an end of the part lie there?
@@ -120,9 +125,10 @@ private:
         const double a = turn(mark) - half_deg, b = turn(mark) + half_deg;
         const double from = *mark.z_start_mm, to = *mark.z_end_mm;
         const double high = heightOf(a, radius), low = heightOf(b, radius);
-        if (!isSeen(turn(mark))) return;
+        hidden_ = !isSeen(turn(mark));
         for (const double y : {low, high}) line({from, y}, {to, y});
         for (const double z : {from, to}) line({z, low}, {z, high});
+        hidden_ = false;
         if (std::abs(turn(mark)) < 60) diagonals(from, to, low, high);
     }
 
@@ -143,15 +149,17 @@ private:
         for (const double turned : {turn(mark), turn(mark) + 180}) {
             if (turned != turn(mark) && !through) break;
             const double cosine = std::cos(turned * rad_per_deg), y = heightOf(turned, radius);
-            if (cosine < -1e-3) continue;
+            hidden_ = cosine < -1e-3;
+            if (hidden_ && through) continue;  // its other end is seen
             axis({z, y + *mark.diameter_mm / 2 * cosine}, {z, y - *mark.diameter_mm / 2 * cosine - 1e-3});
-            if (cosine > 0.05) ellipse({z, y}, *mark.diameter_mm / 2, *mark.diameter_mm / 2 * cosine);
+            if (std::abs(cosine) > 0.05) ellipse({z, y}, *mark.diameter_mm / 2, *mark.diameter_mm / 2 * cosine);
+            hidden_ = false;
         }
     }
 
     void ellipse(const Vector2d& centre, double along, double across)
     {
-        if (!bored_ && std::abs(along - across) < 1e-3 * along) {
+        if (!bored_ && !hidden_ && std::abs(along - across) < 1e-3 * along) {
             view_.arcs.push_back({factor_ * centre, factor_ * along, 0, 360, Layer::Contour, thick_mm});
             return;
         }
@@ -182,6 +190,8 @@ private:
         const bool at_root = radiusAt(mark) < crest - 0.05;
         for (const double sign : {1.0, -1.0}) {
             line({from, sign * *mark.minor_mm / 2}, {to, sign * *mark.minor_mm / 2}, thin_mm);
+            if (!at_root && !isOpen(to)) line({to, 0}, {to, sign * crest}, thin_mm);
+            if (!at_root && !isOpen(from)) line({from, 0}, {from, sign * crest}, thin_mm);
             if (!at_root) continue;
             line({from, sign * crest}, {to, sign * crest});
             for (const double z : {from, to}) line({z, 0}, {z, sign * crest});
@@ -192,7 +202,11 @@ private:
     {
         const double from = stretch.from_z_mm, to = stretch.to_z_mm;
         for (const double y : {stretch.low_mm, stretch.high_mm}) line({from, y}, {to, y});
-        for (const double z : {from, to}) line({z, stretch.low_mm}, {z, stretch.high_mm});
+        for (const double z : {from, to}) {
+            // In the midst of a row the round body stands beyond the stretch.
+            const double beside = isOpen(z) ? 0 : outerRadius(rows_, z);
+            line({z, std::min(stretch.low_mm, -beside)}, {z, std::max(stretch.high_mm, beside)});
+        }
         for (const double y : stretch.edges_mm) line({from, y}, {to, y});
         for (const auto& [low, high] : stretch.faces_mm) diagonals(from, to, low, high);
         if (stretch.axis_mm) axis({from, *stretch.axis_mm}, {to, *stretch.axis_mm});
@@ -204,6 +218,7 @@ private:
     double factor_;
     bool bored_;
     double viewed_deg_;
+    bool hidden_ = false;  // what is drawn lies behind the part
 };
 
 /// The faces of a prism between its corners; those that are seen, and its silhouette.
@@ -261,7 +276,6 @@ std::vector<Box> markBoxes(const Shaft& shaft, double factor)
         if (!mark.z_start_mm || !mark.z_end_mm) continue;
         const double z = (*mark.z_start_mm + *mark.z_end_mm) / 2, radius = outerRadius(rows, z);
         const double turn = turnOf_deg(mark, viewed_deg);
-        if (!isSeen(turn)) continue;
         if (mark.kind == MarkKind::Keyway && mark.width_mm)
             add(*mark.z_start_mm, *mark.z_end_mm, heightOf(turn, radius), *mark.width_mm / 2);
         if (mark.kind == MarkKind::Flat && mark.distance_mm)

@@ -17,6 +17,7 @@ struct MatchingLimits {
     double unassigned_price_mm = 0.2;                                  ///< of a row without a counterpart, and
     double unassigned_price_share = 0.25, longest_priced_row_mm = 20;  ///< of its length, at most this one
     double least_row_mm = 1e-6;
+    double mark_mm = 1;            ///< least distance within which the middles of two marks are one place
     double joining_gap_mm = 0.05;  ///< rows no further apart join; bores no further from an end reach it
 };
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <variant>
 
+#include "engine/features/comparison/mark_matching.h"
 #include "engine/features/comparison/shaft_mesh.h"
 #include "engine/features/features_codes.h"
 #include "engine/registration/compare_quantities.h"
@@ -41,8 +42,9 @@ std::vector<ComparedRow> comparedRowsOf(const Shaft& nominal, const Scan& copy, 
         return compareRows(nominal, {}, surface.parameters.decision);
     }
     addNew(measured.notes, surface.notes);
-    return compareRows(nominal, measured, surface.parameters.decision,
-                       surface.alignment.reference_T_copy * measured.part_T_scan.inverse());
+    const Eigen::Isometry3d nominal_T_part = surface.alignment.reference_T_copy * measured.part_T_scan.inverse();
+    for (Note& note : notesOfMarks(nominal, measured, nominal_T_part)) surface.notes.push_back(std::move(note));
+    return compareRows(nominal, measured, surface.parameters.decision, nominal_T_part);
 }
 
 Value verdictText(const std::optional<Verdict>& verdict)

@@ -21,8 +21,9 @@ struct AxialHole {
 struct HoleCircle {
     std::size_t count = 0;
     double diameter_mm = 0, diameter_sigma_mm = 0;
-    double radius_mm = 0;  ///< of the circle of their centres
-    double angle_rad = 0;  ///< of one of them, 0 to less than a turn over their number
+    double radius_mm = 0;       ///< of the circle of their centres
+    double place_sigma_mm = 0;  ///< of the mean of their centres' places
+    double angle_rad = 0;       ///< of one of them, 0 to less than a turn over their number
 };
 
 std::vector<AxialHole> provenHoles(const SeenFace& face, const Progress& progress)
@@ -63,15 +64,17 @@ std::optional<HoleCircle> circleThrough(const std::vector<AxialHole>& equal)
     circle.count = equal.size();
     if (circle.count < holeLimits.least_bolts || circle.count > holeLimits.most_bolts) return std::nullopt;
     const auto n = static_cast<double>(circle.count);
-    double sine = 0, cosine = 0, variance = 0;
+    double sine = 0, cosine = 0, variance = 0, place_variance = 0;
     for (const AxialHole& hole : equal) {
         circle.diameter_mm += hole.rim.diameter_mm / n;
         circle.radius_mm += hole.from_axis_mm / n;
         variance += hole.rim.diameter_sigma_mm * hole.rim.diameter_sigma_mm / (n * n);
+        place_variance += hole.rim.place_sigma_mm * hole.rim.place_sigma_mm / (n * n);
         sine += std::sin(n * hole.angle_rad);
         cosine += std::cos(n * hole.angle_rad);
     }
     circle.diameter_sigma_mm = std::max(holeLimits.form_mm, std::sqrt(variance));
+    circle.place_sigma_mm = std::hypot(std::sqrt(place_variance), holeLimits.form_mm / 2 / std::sqrt(n));
     const double period = turn_rad / n, angle = std::atan2(sine, cosine) / n;
     circle.angle_rad = angle < 0 ? angle + period : angle;
     std::vector<std::uint8_t> taken(circle.count, 0);
@@ -128,6 +131,8 @@ ShaftMark markOfCircle(const HoleCircle& circle, double z_mm)
     mark.pitch_circle_mm = 2 * circle.radius_mm;
     mark.count = static_cast<double>(circle.count);
     mark.uncertainty_mm = 2 * circle.diameter_sigma_mm;
+    mark.place_uncertainty_mm = 4 * circle.place_sigma_mm;  // of the ⌀
+    mark.angle_uncertainty_deg = 2 * circle.place_sigma_mm / circle.radius_mm * deg_per_rad;
     return mark;
 }
 

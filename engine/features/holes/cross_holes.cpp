@@ -147,6 +147,9 @@ ShaftMark markOfHole(const WallHole& hole)
     mark.angle_deg = degrees(hole.angle_rad);
     mark.diameter_mm = hole.rim.diameter_mm;
     mark.uncertainty_mm = 2 * hole.rim.diameter_sigma_mm;
+    // Of its middle: half of what its two edges may be broken by.
+    mark.place_uncertainty_mm = 2 * std::hypot(hole.rim.place_sigma_mm, holeLimits.form_mm / 2);
+    mark.angle_uncertainty_deg = *mark.place_uncertainty_mm / hole.radius_mm * deg_per_rad;
     return mark;
 }
 

@@ -25,6 +25,8 @@ struct MarkLimits {
     double robust_outlier_medians = 3;        ///< in the first rounds, of the median distance
     double least_plane_share = 0.6;           ///< of the points within the plane
     double largest_plane_sigmas = 1.6;        ///< rms distance of these
+    double dependent_points = 4;              ///< neighbouring points whose errors count as one
+    double floor_form_mm = 0.003;             ///< standard uncertainty of a floor's place beside the noise
     double floor_gap_mm = 2.5;                ///< between two pieces of one floor: two cells
     double same_floor_mm = 0.05, same_floor_deg = 2;  ///< differences of the pieces
     // Zones of one thread.

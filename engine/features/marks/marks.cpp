@@ -84,6 +84,23 @@ double widthOf_mm(const std::vector<FloorPoint>& floor)
     return high - lowerQuantileInPlace(across, markLimits.tail_share);
 }
 
+/// U of the plane's distance and of its direction.
+void setUncertainties(ShaftMark& mark, const FloorPlane& plane, const std::vector<FloorPoint>& floor, double width_mm)
+{
+    const auto n = static_cast<double>(floor.size());
+    double squares = 0, sum = 0;
+    for (const FloorPoint& point : floor) {
+        sum += point.across_mm;
+        squares += point.across_mm * point.across_mm;
+    }
+    const double variance = markLimits.dependent_points * plane.rms_mm * plane.rms_mm / n;
+    const double spread = squares / n - (sum / n) * (sum / n), form = markLimits.floor_form_mm;
+    if (!(spread > 0) || !(width_mm > 0)) return;
+    const double u_mm = 2 * std::sqrt(variance + form * form);
+    (mark.kind == MarkKind::Flat ? mark.uncertainty_mm : mark.depth_uncertainty_mm) = u_mm;
+    mark.angle_uncertainty_deg = 2 * deg_per_rad * std::hypot(std::sqrt(variance / spread), form / width_mm);
+}
+
 /// The flat or keyway whose floor the points of a region prove.
 std::optional<ShaftMark> markOf(const WallScan& scan, const OffRegion& region)
 {
@@ -129,6 +146,7 @@ std::optional<ShaftMark> markOf(const WallScan& scan, const OffRegion& region)
         case FloorShape::Neither: return std::nullopt;
     }
     mark.width_mm = width;
+    setUncertainties(mark, plane, points, width);
     return mark;
 }
 

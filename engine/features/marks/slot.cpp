@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/core/units.h"
 #include "engine/features/marks/off_regions.h"
@@ -85,6 +86,8 @@ bool measureSlot(const WallScan& scan, ShaftMark& mark, const Progress& progress
     // An end that lies where the wall is not judged is that of the floor.
     if (fit.rim.start_mm > window.from_mm) mark.z_start_mm = fit.rim.start_mm;
     if (fit.rim.end_mm < window.to_mm) mark.z_end_mm = fit.rim.end_mm;
+    mark.place_uncertainty_mm =
+        2 * std::hypot(std::max(fit.start_sigma_mm, fit.end_sigma_mm), slotLimits.form_mm / std::numbers::sqrt2);
     mark.depth_mm = radius - floor;
     mark.designation = keyOf(mark, 2 * radius, fit.rim.round_start && fit.rim.round_end);
     return true;

@@ -151,6 +151,7 @@ std::optional<FoundShape> eccentricOf(const StretchPoints& points)
     found.mark.offset_mm = offset;
     found.mark.angle_deg = markAngle_deg(std::atan2(out.y(), out.x()) / turn_rad);
     found.mark.uncertainty_mm = 2 * u;
+    found.mark.angle_uncertainty_deg = std::atan2(2 * u, offset) * deg_per_rad;
     return found;
 }
 

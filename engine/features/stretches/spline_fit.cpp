@@ -147,6 +147,7 @@ std::optional<FoundShape> splineOf(const StretchPoints& points)
     found.mark.width_mm = parallelWidth_mm(points, shape, {root.radius_mm, crest.radius_mm});
     found.mark.angle_deg = markAngle_deg(shape.phase_turn);
     found.mark.uncertainty_mm = 4 * crest.sigma_mm;  // k = 2, of a diameter
+    if (root.are_alike) found.mark.depth_uncertainty_mm = 4 * root.sigma_mm;
     return found;
 }
 

@@ -33,7 +33,7 @@ TEST(RequireComplete, StatesWhatIsMissing)
     features::Recognition end = whole;
     end.complete = false;
     end.length_mm.reset();
-    EXPECT_EQ(reasonOf(end), "an end is not seen; state the length to confirm it");
+    EXPECT_EQ(reasonOf(end), "an end is not seen or undecided; state the length to confirm it (--length-mm)");
     features::Recognition gap = end;
     gap.gaps.push_back({10, 20});
     EXPECT_EQ(reasonOf(gap), "there is a gap in the data");

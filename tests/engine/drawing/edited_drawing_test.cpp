@@ -70,7 +70,7 @@ TEST(EditedDrawing, ARowWhoseMeasuredValuesStandIsDrawnAsMeasured)
     ASSERT_NE(find(drawing, "⌀36 [1]"), nullptr);
     EXPECT_FALSE(find(drawing, "⌀36 [1]")->italic);
     EXPECT_NE(find(drawing, "98.000 ±0.010"), nullptr);
-    EXPECT_NE(find(drawing, "italic: as measured; not a specification. ± U: k = 2"), nullptr);
+    EXPECT_NE(find(drawing, "italic: as measured; not a specification. ± U: k = 2; no ±: U is not known"), nullptr);
 }
 
 TEST(EditedDrawing, ChainsCanBeReadOnEverySheet)

@@ -48,7 +48,7 @@ RecoveredFrom recoveredFrom(const InputFile& scan, const features::Recognition& 
 {
     RecoveredFrom recovered{std::filesystem::path(scan.path).filename().string(), scan.sha256, result.method_used};
     const bool is_stated = std::any_of(result.notes.begin(), result.notes.end(), [](const Note& note) {
-        return note.code.key == features::notes::endConfirmed.key;
+        return note.code.key == notes::endConfirmed.key;
     });
     if (is_stated) recovered.stated_length_mm = result.parameters.length_mm;
     return recovered;

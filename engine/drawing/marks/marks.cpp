@@ -159,6 +159,13 @@ private:
         return features_.sections.back();
     }
 
+    /// How far below the axis what is cut into this radius ends in the view: there its extension lines begin.
+    double lowerEdge_mm(const ShaftMark& mark, double radius_mm, double width_mm) const
+    {
+        const double turned = turn(mark) * rad_per_deg;
+        return radius_mm * std::sin(turned) + width_mm / 2 * std::abs(std::cos(turned));
+    }
+
     /// A length from the free end to a place of a mark.
     void addPlace(const ShaftMark& mark, double z_mm, double radius_mm)
     {
@@ -189,7 +196,8 @@ private:
             filled(mark, LT_TEXT("Engine", "(length {length})"),
                    {{"length", length.U_um ? texts_.part(length) : texts_.number(length.value_mm, 2)}}));
         if (!mark.designation.empty()) section.captions.push_back({mark.designation, false});
-        for (const double z : {*mark.z_start_mm, *mark.z_end_mm}) addPlace(mark, z, *mark.width_mm / 2);
+        for (const double z : {*mark.z_start_mm, *mark.z_end_mm})
+            addPlace(mark, z, lowerEdge_mm(mark, radius, *mark.width_mm));
         return true;
     }
 
@@ -229,7 +237,7 @@ private:
         // A blind hole whose depth is not known is shown as deep as it is wide.
         if (!through) hole.depth_mm = std::min(mark.depth_mm.value_or(*mark.diameter_mm), radius);
         section.holes.push_back(std::move(hole));
-        addPlace(mark, z, *mark.diameter_mm / 2);
+        addPlace(mark, z, lowerEdge_mm(mark, radius, *mark.diameter_mm));
         return true;
     }
 

@@ -1,16 +1,13 @@
-// A recognition as a report, as tables, and as one sentence.
+// A recognition as a report and as tables.
 #pragma once
 
 #include <vector>
 
 #include "engine/features/nominal/accepted_sizes.h"
+#include "engine/features/report/recognition_answer.h"
 #include "engine/report/document.h"
 
 namespace lathelier::features {
-
-/// "Length 183.002 ± 0.010 mm": the same on the command line, in the panel and in the report. There is no verdict: a
-/// scan has no limits.
-report::Answer answer(const Recognition& result);
 
 /// The rows, then those of bores as "B1.2", with the uncertainty beside each value (k = 2) and the suggested nominal
 /// sizes.

@@ -199,6 +199,18 @@ TEST(MeasuredMarks, WhatLiesBehindIsDashed)
     }
 }
 
+TEST(MeasuredMarks, ExtensionLinesBeginAtTheMark)
+{
+    const Features features = featuresOf(measuredShaft({measuredKeyway(6, 34, 0), measuredKeyway(50, 85, 150)}), {});
+    const auto radiusAt = [&](double z_mm) {
+        for (const LengthDimension& length : features.lengths)
+            if (std::abs(length.to_z_mm - z_mm) < 1e-9) return length.to_radius_mm;
+        return -1e9;
+    };
+    EXPECT_NEAR(radiusAt(6), 4, 1e-9);
+    EXPECT_NEAR(radiusAt(50), 17.5 * 0.5 + 4 * std::sqrt(0.75), 1e-9);
+}
+
 TEST(MeasuredMarks, ASquareInTheMidstOfACylinderLeavesTheRestItsDiameter)
 {
     ShaftMark square = measured(MarkKind::Square, 5, 22, 0);

@@ -56,6 +56,13 @@ TEST(Keyways, WidthLengthAndDepth)
             EXPECT_LT(*mark.uncertainty_mm, 0.35) << width_mm;
             EXPECT_NEAR(*mark.z_start_mm, 8, 0.12) << width_mm;
             EXPECT_NEAR(*mark.z_end_mm, 33, 0.12) << width_mm;
+            ASSERT_TRUE(mark.place_uncertainty_mm && mark.depth_uncertainty_mm && mark.angle_uncertainty_deg);
+            EXPECT_LT(std::abs(*mark.z_start_mm - 8), *mark.place_uncertainty_mm) << width_mm;
+            EXPECT_LT(std::abs(*mark.z_end_mm - 33), *mark.place_uncertainty_mm) << width_mm;
+            EXPECT_LT(*mark.place_uncertainty_mm, 0.3) << width_mm;
+            EXPECT_LT(std::abs(*mark.floor_mm - floor_mm), *mark.depth_uncertainty_mm) << width_mm;
+            EXPECT_LT(*mark.depth_uncertainty_mm, 0.02) << width_mm;
+            EXPECT_LT(*mark.angle_uncertainty_deg, 1) << width_mm;
             EXPECT_NEAR(*mark.floor_mm, floor_mm, 0.02) << width_mm;
             EXPECT_NEAR(*mark.depth_mm, 12.5 - floor_mm, 0.02) << width_mm;
             EXPECT_EQ(mark.designation, width_mm == 8 ? "DIN 6885 - A 8×7×25" : "") << width_mm;
@@ -110,6 +117,9 @@ TEST(CrossHoles, ThroughHoleIsOneMark)
         EXPECT_NEAR(*mark.diameter_mm, diameter_mm, 0.15) << diameter_mm;
         EXPECT_LT(std::abs(*mark.diameter_mm - diameter_mm), *mark.uncertainty_mm) << diameter_mm;
         EXPECT_NEAR((*mark.z_start_mm + *mark.z_end_mm) / 2, 20, 0.08) << diameter_mm;
+        ASSERT_TRUE(mark.place_uncertainty_mm && mark.angle_uncertainty_deg) << diameter_mm;
+        EXPECT_LT(std::abs((*mark.z_start_mm + *mark.z_end_mm) / 2 - 20), *mark.place_uncertainty_mm) << diameter_mm;
+        EXPECT_LT(*mark.place_uncertainty_mm, 0.3) << diameter_mm;
         EXPECT_TRUE(result.unexplained.empty()) << diameter_mm;
     }
 }

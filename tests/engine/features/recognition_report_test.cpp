@@ -54,6 +54,25 @@ TEST(RecognitionReport, AnswersWithLengthAndLargestDiameter)
     EXPECT_EQ(open.findings.front().place.z_mm, (Interval{40, 50}));
 }
 
+TEST(RecognitionReport, SaysWhereAnUndecidedEndMayLie)
+{
+    Recognition result = describedPart(tableOne());
+    result.length_mm.reset();
+    result.ends = {{}, {}};
+    result.ends[1].closed_by = "undecided";
+    result.ends[1].span_mm = Interval{182.4, 183.1};
+    result.gaps = {{40, 50}};
+    const report::Answer open = answer(result);
+    EXPECT_EQ(open.findings.front().place.z_mm, (Interval{182.4, 183.1}));
+    EXPECT_LE(open.findings.size(), 3u);
+    const std::string said = std::regex_replace(plainText(open), std::regex("\u00a0"), std::string(1, ' '));
+    EXPECT_NE(said.find("Chuck end not decided: it lies from z 182.400 to 183.100 mm"), std::string::npos) << said;
+    EXPECT_EQ(said.find("Free end not decided"), std::string::npos) << said;
+    result.ends[0] = result.ends[1];
+    result.ends[0].span_mm = Interval{-0.6, 0.1};
+    EXPECT_EQ(answer(result).findings.front().place.z_mm, (Interval{-0.6, 0.1}));
+}
+
 TEST(RecognitionReport, PutsUncertaintiesBesideValues)
 {
     Recognition result = describedPart(tableOne());

@@ -1,5 +1,7 @@
 #include "engine/cam/task/turn_task.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -136,6 +138,8 @@ TurnOutcome answerTurn(const project::PanelState& stated, bool keeps_outlines, S
     inputs.keeps_outlines = keeps_outlines;
     inputs.spindle = task::take<receptance::SpindleInput>(state, spindleRole, stores, reading.part(0.7, 1), sources);
     inputs.origin = originOf(state, sources);
+    if (const auto& length_mm = part.recovered.stated_length_mm)
+        inputs.origin.push_back(fmt::format("length {:.3f} stated, an end is not seen", *length_mm));
     TurningPlan planned =
         located([&] { return planTurning(part, job, inputs, outcome.question.plan, progress.part(0.1, 0.8)); });
     const std::vector<GivenProgram> given = chooseProgram(outcome, planned, state, stores, sources, reading);

@@ -1,6 +1,5 @@
 #include "engine/cad/task/recognize_task.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -47,10 +46,7 @@ void addSteps(RecognizeOutcome& outcome)
 RecoveredFrom recoveredFrom(const InputFile& scan, const features::Recognition& result)
 {
     RecoveredFrom recovered{std::filesystem::path(scan.path).filename().string(), scan.sha256, result.method_used};
-    const bool is_stated = std::any_of(result.notes.begin(), result.notes.end(), [](const Note& note) {
-        return note.code.key == notes::endConfirmed.key;
-    });
-    if (is_stated) recovered.stated_length_mm = result.parameters.length_mm;
+    if (contains(result.notes, notes::endConfirmed)) recovered.stated_length_mm = result.parameters.length_mm;
     return recovered;
 }
 

@@ -36,7 +36,7 @@ void dropRepeated(task::Sources& sources, const Notes& remarks)
 {
     std::erase_if(sources.notes, [&](const Note& note) {
         return std::any_of(remarks.begin(), remarks.end(),
-                           [&](const Note& remark) { return remark.code.key == note.code.key; });
+                           [&](const Note& remark) { return remark.code == note.code; });
     });
 }
 

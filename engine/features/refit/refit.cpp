@@ -76,7 +76,7 @@ void takeGaps(const Outline& outline, double zero_mm, Recognition& result)
 {
     std::erase_if(result.notes, [](const Note& note) {
         for (const NoteCode& code : {notes::gapInData, notes::endConfirmed, notes::endNotSeen, notes::endUndecided})
-            if (note.code.key == code.key) return true;
+            if (note.code == code) return true;
         return false;
     });
     result.gaps.clear();

@@ -20,7 +20,7 @@ ShaftMark placedMark(MarkKind kind, double from_mm, double to_mm)
 std::size_t countOf(const Notes& notes, const NoteCode& code)
 {
     std::size_t count = 0;
-    for (const Note& note : notes) count += note.code.key == code.key;
+    for (const Note& note : notes) count += note.code == code;
     return count;
 }
 

@@ -195,6 +195,8 @@ private:
         section.captions.push_back(
             filled(mark, LT_TEXT("Engine", "(length {length})"),
                    {{"length", length.U_um ? texts_.part(length) : texts_.number(length.value_mm, 2)}}));
+        if (section.slots.size() > 1)  // which one it is of
+            section.captions.back().text.insert(0, texts_.number(std::abs(turn(mark)), 0) + "°: ");
         if (!mark.designation.empty()) section.captions.push_back({mark.designation, false});
         for (const double z : {*mark.z_start_mm, *mark.z_end_mm})
             addPlace(mark, z, lowerEdge_mm(mark, radius, *mark.width_mm));

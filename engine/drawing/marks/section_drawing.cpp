@@ -44,8 +44,9 @@ Drawing turned(Drawing drawing, double angle_deg)
     for (Label& label : drawing.labels) {
         label.at_mm = turned(label.at_mm, along);
         label.angle_deg = std::remainder(label.angle_deg - angle_deg, 360);
-        constexpr double rounding_deg = 1e-6;
-        if (label.angle_deg > -90 + rounding_deg && label.angle_deg < 90 + rounding_deg) continue;
+        // What a measured angle makes nearly upright reads from the right, as what is upright.
+        constexpr double upright_deg = 5;
+        if (label.angle_deg > -90 + upright_deg && label.angle_deg < 90 + upright_deg) continue;
         // Upside down: turned about the middle of its capitals.
         const double angle = label.angle_deg * rad_per_deg;
         label.at_mm += label.height_mm * Vector2d(-std::sin(angle), std::cos(angle));

@@ -91,6 +91,24 @@ TEST(MeasuredMarks, PlacesDepthsAndAnglesHaveTheirU)
         EXPECT_THAT(all, Contains(text));
 }
 
+TEST(MeasuredMarks, TwoKeywaysOfOneSectionAreToldApartAndReadFromTheRight)
+{
+    // Measured angles are not quite 90°.
+    for (const double angle_deg : {89.97, 90.03, -90.03, -89.97, 180.02}) {
+        ShaftMark second = measuredKeyway(6, 30, angle_deg);
+        const Drawing drawing = drawShaft(measuredShaft({measuredKeyway(6, 34, 0), second}), {});
+        EXPECT_THAT(textsOf(drawing), Contains("(length 28.00 ±0.18)"));
+        EXPECT_THAT(textsOf(drawing),
+                    Contains(angle_deg > 179 ? "180°: (length 24.00 ±0.18)" : "90°: (length 24.00 ±0.18)"));
+        for (const Label& label : drawing.labels) {
+            EXPECT_GT(label.angle_deg, -85) << label.text;
+            EXPECT_LT(label.angle_deg, 95) << label.text;
+        }
+        EXPECT_THAT(overlappingTexts(drawing), IsEmpty()) << angle_deg;
+        EXPECT_THAT(crossedTexts(drawing), IsEmpty()) << angle_deg;
+    }
+}
+
 TEST(MeasuredMarks, LegendIsSaidOnceAndTellsOfMissingU)
 {
     const std::multiset<std::string> all = textsOf(measuredShaft({measuredKeyway(6, 34, 20)}));

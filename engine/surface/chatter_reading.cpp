@@ -35,10 +35,21 @@ bool isRegenerative(double nu)
 }
 
 /// Uncertainty of a line along a direction, in cycles per pixel.
-double lineUncertainty(const ChatterLattice& lattice, const CutFacts& facts, Vector direction)
+double lineUncertainty(double significance, const CutFacts& facts, Vector direction)
 {
     const double bin = std::hypot(direction.x / facts.columns, direction.y / facts.rows);
-    return 0.3 * bin / std::sqrt(std::max(1.0, lattice.significance));
+    return 0.3 * bin / std::sqrt(std::max(1.0, significance));
+}
+
+/// The wave vector of the feed follows from its line, or from the distance of two lines of the lattice.
+double combSignificance(const ChatterLattice& lattice, const FeedComb& feed)
+{
+    const LatticeLine& first = lattice.lines.front();
+    double best = feed.significance;
+    for (const LatticeLine& line : lattice.lines)
+        if (line.multiple == first.multiple && line.order != first.order)
+            best = std::max(best, std::min(line.significance, first.significance));
+    return best;
 }
 
 /// Number of waves of the vibration in the picture along the circumference.
@@ -140,7 +151,7 @@ ChatterMarks readChatter(const ChatterLattice& lattice, const FeedComb& feed, co
     const std::vector<Reading> readings = readingsOf(lattice.fundamental, comb, facts);
     const Vector z = axisDirection(comb, facts.feed_mm_rev, facts.diameter_mm, facts.cut);
     const Vector y = turned(z, 90);
-    const double u_nu = std::max(leastNu, lineUncertainty(lattice, facts, z) / dot(comb, z));
+    const double u_nu = std::max(leastNu, lineUncertainty(lattice.significance, facts, z) / dot(comb, z));
 
     ChatterMarks marks;
     marks.nu = readings.front().nu;
@@ -154,7 +165,11 @@ ChatterMarks readChatter(const ChatterLattice& lattice, const FeedComb& feed, co
         marks.waves_in_view = wavesInView(*readings.front().waves + marks.nu, facts, y);
         const bool is_proved = facts.scale_error && std::abs(*facts.scale_error) < provedScale;
         const double scale = is_proved ? checkedScale : uncheckedScale;
-        const double u_m = pi * *facts.diameter_px * lineUncertainty(lattice, facts, y) + scale * *marks.waves_measured;
+        const double orders = dot(lattice.fundamental, z) / dot(comb, z);  // the axis is known from the feed marks
+        const double u_line = std::hypot(lineUncertainty(lattice.significance, facts, y),
+                                         orders * lineUncertainty(combSignificance(lattice, feed), facts, y));
+        const double u_m = pi * *facts.diameter_px * u_line + scale * *marks.waves_measured;
+        marks.waves_uncertainty = u_m;
         const double off = std::abs(*marks.waves_measured - std::round(*marks.waves_measured));
         const bool enough = *marks.waves_in_view >= certainWaves ||
                             (facts.unrolled && *marks.waves_in_view >= fewWaves && off < nearWhole);

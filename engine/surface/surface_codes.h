@@ -89,9 +89,12 @@ inline constexpr NoteCode twoFeeds{
 
 inline constexpr NoteCode lessThanOneWave{
     "less_than_one_wave", Severity::Warning,
-    LT_TEXT("Engine",
-            "{path}: a pattern of {waves} waves in a revolution was found. Less than one is no vibration of the cut; "
-            "light, a second feed or the scale make it.")};
+    LT_TEXT(
+        "Engine",
+        "{path}: a pattern of {waves} ± {uncertainty} waves in a revolution was found. Light may have doubled it, and "
+        "less than one is no vibration of the cut: drift, light, a second feed or the scale make it. Whether there "
+        "is chatter is undecided; photograph more of the circumference, or each part by itself."),
+    NoteRole::NotModelled};
 
 inline constexpr NoteCode scaleUnknown{"scale_unknown", Severity::Info,
                                        LT_TEXT("Engine", "{path}: no scale is given; lengths are in pixels only.")};

@@ -35,7 +35,7 @@ double saturated_percent(const GridView& pixels)
 /// True if the pattern may have less than one wave in a revolution, seen doubled: no vibration of the cut is that slow.
 bool isSlow(const ChatterMarks& chatter)
 {
-    return *chatter.waves_measured + chatter.nu - 2 * *chatter.waves_uncertainty < slowestWaves;
+    return *chatter.slowest_waves < slowestWaves;
 }
 
 /// Evaluation of one picture.
@@ -293,7 +293,7 @@ private:
         if (is_slow) {
             marks_.verdict = MarksVerdict::Undecided;
             return note(notes::lessThanOneWave, {{"waves", *chatter.waves_measured + chatter.nu},
-                                                 {"uncertainty", 2 * *chatter.waves_uncertainty}});
+                                                 {"least", std::max(0.0, *chatter.slowest_waves)}});
         }
         notes_.insert(notes_.end(), remarks.begin(), remarks.end());
         chatter.regularity = lines_.chatter_weight.regularity;

@@ -100,6 +100,7 @@ struct ChatterMarks {
     double share_percent = 0;                 ///< of the flattened picture's variance, all lines
     std::optional<double> waves_measured;     ///< measured m, not rounded
     std::optional<double> waves_uncertainty;  ///< standard uncertainty of it
+    std::optional<double> slowest_waves;      ///< smallest number of waves in a revolution that may look so
     std::optional<double> waves_in_view;      ///< waves in the picture along the circumference
     int lines = 0;                            ///< number of detected lines
     ChatterKind kind = ChatterKind::Unknown;

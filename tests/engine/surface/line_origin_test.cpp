@@ -117,6 +117,21 @@ TEST(LineOrigin, LessThanOneWaveDoubledIsNeverChatter)
         }
 }
 
+/// With a half or a third of a wave between the tracks, lines of a slow pattern merge and are read as of many waves.
+TEST(LineOrigin, MergedLinesOfSlowPatternsAreNeverChatter)
+{
+    for (const double waves : {1 / 2.0, 2 / 3.0})
+        for (SyntheticParameters truth : {smallField(2), turnedField(2, 12)}) {
+            truth.feed_mm_rev = 0.15;
+            truth.diameter_mm = 40;
+            truth.frequency_hz = waves * truth.speed_rpm / 60;
+            truth.amplitude_um = 3 * theoreticalDepth_um(truth);
+            const ImageMarks marks = marksOf(syntheticPicture(truth), known(truth));
+            EXPECT_FALSE(marks.chatter_marks) << waves << " " << truth.mm_per_px;
+            EXPECT_TRUE(marks.feed_marks) << waves << " " << truth.mm_per_px;
+        }
+}
+
 TEST(LineOrigin, ThreeWavesAreChatter)
 {
     SyntheticParameters truth = overview(9);

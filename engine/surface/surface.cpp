@@ -89,6 +89,7 @@ public:
         } else if (marks_.mm_per_px_source == ScaleSource::None) {
             note(notes::scaleUnknown, {});
         }
+        if (!marks_.chatter_marks) lines_.chatter.reset();  // nor is it drawn
         draw(flat);
         return std::move(marks_);
     }

@@ -1,6 +1,7 @@
 #include "engine/surface/chatter_reading.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -35,10 +36,46 @@ bool isRegenerative(double nu)
 }
 
 /// Uncertainty of a line along a direction, in cycles per pixel.
-double lineUncertainty(const ChatterLattice& lattice, const CutFacts& facts, Vector direction)
+double lineUncertainty(double significance, const CutFacts& facts, Vector direction)
 {
     const double bin = std::hypot(direction.x / facts.columns, direction.y / facts.rows);
-    return 0.3 * bin / std::sqrt(std::max(1.0, lattice.significance));
+    return 0.3 * bin / std::sqrt(std::max(1.0, significance));
+}
+
+/// The wave vector of the feed follows from its line, or from the distance of two lines of the lattice.
+double combSignificance(const ChatterLattice& lattice, const FeedComb& feed)
+{
+    const LatticeLine& first = lattice.lines.front();
+    double best = feed.significance;
+    for (const LatticeLine& line : lattice.lines)
+        if (line.multiple == first.multiple && line.order != first.order)
+            best = std::max(best, std::min(line.significance, first.significance));
+    return best;
+}
+
+/// How a slow pattern may be misread. Of synthetic pictures with 0.3 to 1 wave in a revolution: fields of 3 to 9 mm,
+/// overviews.
+struct SlowPatternLimits {
+    double resolved_bins = 2;                                    ///< main lobe of a Hann window
+    std::array<double, 6> drawn_bins{0, 0, 0.6, 0.3, 0.1, 0.1};  ///< by q, whole q ν: lines l and l - q in one place
+    double shaded_waves = 0.9;                                   ///< in a revolution: shading of an unrolled cylinder
+};
+
+/// Error that a slow pattern may have, in waves in a revolution. With q ν whole, its lines l and l - q have one place
+/// along the axis; where slow ones are not resolved round the part either, they draw or repel each other.
+double slowError(double nu, const CutFacts& facts, Vector feed, Vector y)
+{
+    constexpr SlowPatternLimits limits;
+    const double shaded = facts.unrolled || facts.curved ? limits.shaded_waves : 0;
+    const double feeds = std::abs(feed.x) * facts.columns + std::abs(feed.y) * facts.rows;
+    const double waves_of_bin = pi * *facts.diameter_px * std::hypot(y.x / facts.columns, y.y / facts.rows);
+    for (std::size_t q = 2; q < limits.drawn_bins.size(); ++q) {
+        const auto count = static_cast<double>(q);
+        const double off_bins = std::abs(count * nu - std::round(count * nu)) * feeds;
+        if (off_bins < limits.resolved_bins && count < limits.resolved_bins * waves_of_bin)
+            return shaded + limits.drawn_bins[q] * waves_of_bin;
+    }
+    return shaded;
 }
 
 /// Number of waves of the vibration in the picture along the circumference.
@@ -123,6 +160,29 @@ void chooseExpected(std::vector<Candidate>& candidates, double expect_hz, const 
                      {{"path", path}, {"frequency_hz", candidates.front().frequency_hz}, {"expected_hz", expect_hz}}});
 }
 
+/// m and its uncertainty. `comb`: of the feed, toward it; `marks` with ν.
+void measureWaves(ChatterMarks& marks, const ChatterLattice& lattice, const FeedComb& feed, Vector comb, double waves,
+                  const CutFacts& facts)
+{
+    const Vector z = axisDirection(comb, facts.feed_mm_rev, facts.diameter_mm, facts.cut);
+    const Vector y = turned(z, 90);
+    marks.waves_measured = waves;
+    marks.waves_in_view = wavesInView(waves + marks.nu, facts, y);
+    const bool is_proved = facts.scale_error && std::abs(*facts.scale_error) < provedScale;
+    const double scale = is_proved ? checkedScale : uncheckedScale;
+    const double orders = dot(lattice.fundamental, z) / dot(comb, z);  // the axis is known from the feed marks
+    const double u_line = std::hypot(lineUncertainty(lattice.significance, facts, y),
+                                     orders * lineUncertainty(combSignificance(lattice, feed), facts, y));
+    const double u_m = pi * *facts.diameter_px * u_line + scale * waves;
+    marks.waves_uncertainty = u_m;
+    marks.slowest_waves = waves + marks.nu - 2 * u_m - slowError(marks.nu, facts, comb, y);
+    const double off = std::abs(waves - std::round(waves));
+    const bool enough =
+        *marks.waves_in_view >= certainWaves || (facts.unrolled && *marks.waves_in_view >= fewWaves && off < nearWhole);
+    marks.m_certain = !facts.curved && facts.scale_checked && enough && off + 2 * u_m < 0.5;
+    marks.m = static_cast<int>(std::lround(waves));
+}
+
 }  // namespace
 
 Vector towardFeed(Vector comb, const std::optional<double>& feed_direction_deg)
@@ -139,8 +199,7 @@ ChatterMarks readChatter(const ChatterLattice& lattice, const FeedComb& feed, co
     const Vector comb = towardFeed(feed.frequency, facts.feed_direction_deg);
     const std::vector<Reading> readings = readingsOf(lattice.fundamental, comb, facts);
     const Vector z = axisDirection(comb, facts.feed_mm_rev, facts.diameter_mm, facts.cut);
-    const Vector y = turned(z, 90);
-    const double u_nu = std::max(leastNu, lineUncertainty(lattice, facts, z) / dot(comb, z));
+    const double u_nu = std::max(leastNu, lineUncertainty(lattice.significance, facts, z) / dot(comb, z));
 
     ChatterMarks marks;
     marks.nu = readings.front().nu;
@@ -149,20 +208,9 @@ ChatterMarks readChatter(const ChatterLattice& lattice, const FeedComb& feed, co
     marks.significance = lattice.significance;
     marks.lines = static_cast<int>(lattice.lines.size());
     const bool sign_known = readings.size() == 1;
-    if (readings.front().waves) {
-        marks.waves_measured = readings.front().waves;
-        marks.waves_in_view = wavesInView(*readings.front().waves + marks.nu, facts, y);
-        const bool is_proved = facts.scale_error && std::abs(*facts.scale_error) < provedScale;
-        const double scale = is_proved ? checkedScale : uncheckedScale;
-        const double u_m = pi * *facts.diameter_px * lineUncertainty(lattice, facts, y) + scale * *marks.waves_measured;
-        const double off = std::abs(*marks.waves_measured - std::round(*marks.waves_measured));
-        const bool enough = *marks.waves_in_view >= certainWaves ||
-                            (facts.unrolled && *marks.waves_in_view >= fewWaves && off < nearWhole);
-        marks.m_certain = !facts.curved && facts.scale_checked && enough && off + 2 * u_m < 0.5;
-        marks.m = static_cast<int>(std::lround(*marks.waves_measured));
-        if (!marks.m_certain && !facts.curved)  // curvature has its own note
-            notes.push_back({notes::wavesUncertain, {{"path", path}, {"waves", *marks.waves_in_view}}});
-    }
+    if (readings.front().waves) measureWaves(marks, lattice, feed, comb, *readings.front().waves, facts);
+    if (marks.waves_measured && !marks.m_certain && !facts.curved)  // curvature has its own note
+        notes.push_back({notes::wavesUncertain, {{"path", path}, {"waves", *marks.waves_in_view}}});
     if (marks.waves_measured && facts.speed_rpm) {
         const double speed_hz = *facts.speed_rpm / 60;
         const std::vector<Candidate> all = candidatesOf(readings, speed_hz, marks.m_certain);

@@ -135,9 +135,8 @@ PictureLines findLines(const Grid& flat, const LineSearch& search, const Progres
     if (found.chatter && isSecondFeed(flat, found.feed->frequency, found.chatter->lines.front().frequency)) {
         const LatticeLine& line = found.chatter->lines.front();
         found.second_feed = FeedComb{line.frequency, line.significance, line.amplitude, 0};
-        found.chatter.reset();
     }
-    if (found.chatter) found.feed->frequency = found.chatter->feed;
+    if (found.chatter && !found.second_feed) found.feed->frequency = found.chatter->feed;
     if (found.chatter) found.chatter_weight = weightOf(found.spectrum, linesOfLattice(*found.chatter));
     progress.report(1);
     return found;

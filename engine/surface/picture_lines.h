@@ -23,7 +23,7 @@ struct PictureLines {
     Weight feed_weight;                     ///< of the comb
     std::optional<ChatterLattice> chatter;  ///< none: no line outside the comb
     Weight chatter_weight;                  ///< of the lattice
-    std::optional<FeedComb> second_feed;    ///< marks of another feed in a part of the picture; no chatter then
+    std::optional<FeedComb> second_feed;    ///< the same lines as marks of another feed in a part of the picture
     double least_chatter = 0;               ///< detection limit of the amplitude
     PowerSpectrum spectrum;                 ///< for display; not rotated
 };

@@ -21,6 +21,7 @@ constexpr double mostUnknownReduction = 2;  // if the feed in pixels is unknown
 constexpr int searchedForAlias_px = 1400;   // side of the examined region
 constexpr double saturatedMost_percent = 2;
 constexpr double pitchMost_percent = 3;
+constexpr double slowestWaves = 2;  // in a revolution: symmetric light shows one as two
 
 double saturated_percent(const GridView& pixels)
 {
@@ -29,6 +30,12 @@ double saturated_percent(const GridView& pixels)
         count += std::count_if(pixels.row(y), pixels.row(y) + pixels.columns,
                                [](float v) { return v <= 0 || v >= 0.9999F; });
     return 100.0 * static_cast<double>(count) / (double(pixels.columns) * pixels.rows);
+}
+
+/// True if the pattern may have less than one wave in a revolution, seen doubled: no vibration of the cut is that slow.
+bool isSlow(const ChatterMarks& chatter)
+{
+    return *chatter.slowest_waves < slowestWaves;
 }
 
 /// Evaluation of one picture.
@@ -78,11 +85,11 @@ public:
         marks_.largest_significance = lines_.largest_significance;
         if (lines_.feed) {
             describeFeed();
-            if (lines_.second_feed) describeSecondFeed();
             if (lines_.chatter) describeChatter(flat);
         } else if (marks_.mm_per_px_source == ScaleSource::None) {
             note(notes::scaleUnknown, {});
         }
+        if (!marks_.chatter_marks) lines_.chatter.reset();  // nor is it drawn
         draw(flat);
         return std::move(marks_);
     }
@@ -281,8 +288,14 @@ private:
         if (marks_.feed_marks->pitch_error_percent) facts.scale_error = *marks_.feed_marks->pitch_error_percent / 100;
         Notes remarks;
         ChatterMarks chatter = readChatter(*lines_.chatter, *lines_.feed, facts, marks_.path, remarks);
-        if (chatter.waves_measured && !marks_.curved && *chatter.waves_measured + chatter.nu < 1)
-            return note(notes::lessThanOneWave, {{"waves", *chatter.waves_measured + chatter.nu}});
+        const bool is_slow = chatter.waves_measured && isSlow(chatter);
+        // a second feed reads as f / f₂ - 1 waves
+        if (lines_.second_feed && (is_slow || !chatter.waves_measured)) return describeSecondFeed();
+        if (is_slow) {
+            marks_.verdict = MarksVerdict::Undecided;
+            return note(notes::lessThanOneWave, {{"waves", *chatter.waves_measured + chatter.nu},
+                                                 {"least", std::max(0.0, *chatter.slowest_waves)}});
+        }
         notes_.insert(notes_.end(), remarks.begin(), remarks.end());
         chatter.regularity = lines_.chatter_weight.regularity;
         chatter.share_percent = 100 * lines_.chatter_weight.share;

@@ -58,7 +58,7 @@ struct SurfaceParameters {
 
 const std::vector<Field<SurfaceParameters>>& fieldsOf(const SurfaceParameters*);
 
-enum class MarksVerdict { NoPeriodicMarks, FeedMarks, ChatterMarks };
+enum class MarksVerdict { NoPeriodicMarks, FeedMarks, ChatterMarks, Undecided };
 enum class ChatterKind { Unknown, Regenerative, Forced };
 enum class ScaleSource { None, Given, ScaleBar, Feed, File };
 
@@ -91,16 +91,18 @@ struct ChatterMarks {
     std::vector<double> candidates_hz;               ///< the best first
     std::vector<double>
         harmonic_of_hz;  ///< half and a third of frequency_hz, as symmetric illumination shows multiples
-    std::optional<double> nearest_other_hz;  ///< distance to the nearest alternative reading; if
-                                             ///< there is none, to that with m ± 1
-    double amplitude = 0;                    ///< of the strongest line; dimensionless
-    double relative_to_feed = 0;             ///< amplitude relative to the feed line
-    double significance = 0;                 ///< of the strongest line
-    double regularity = 0;                   ///< as that of the feed marks
-    double share_percent = 0;                ///< of the flattened picture's variance, all lines
-    std::optional<double> waves_measured;    ///< measured m, not rounded
-    std::optional<double> waves_in_view;     ///< waves in the picture along the circumference
-    int lines = 0;                           ///< number of detected lines
+    std::optional<double> nearest_other_hz;   ///< distance to the nearest alternative reading; if
+                                              ///< there is none, to that with m ± 1
+    double amplitude = 0;                     ///< of the strongest line; dimensionless
+    double relative_to_feed = 0;              ///< amplitude relative to the feed line
+    double significance = 0;                  ///< of the strongest line
+    double regularity = 0;                    ///< as that of the feed marks
+    double share_percent = 0;                 ///< of the flattened picture's variance, all lines
+    std::optional<double> waves_measured;     ///< measured m, not rounded
+    std::optional<double> waves_uncertainty;  ///< standard uncertainty of it
+    std::optional<double> slowest_waves;      ///< smallest number of waves in a revolution that may look so
+    std::optional<double> waves_in_view;      ///< waves in the picture along the circumference
+    int lines = 0;                            ///< number of detected lines
     ChatterKind kind = ChatterKind::Unknown;
 };
 
@@ -126,6 +128,12 @@ struct ImageMarks {
     MarksVerdict verdict = MarksVerdict::NoPeriodicMarks;
     SurfaceView view;
 };
+
+/// Whether there is chatter could not be told.
+inline bool isOpen(const ImageMarks& image)
+{
+    return image.verdict == MarksVerdict::Undecided || image.second_feed_marks;
+}
 
 struct SurfaceComparison {
     bool same_scale = false;           ///< all scales are known

@@ -90,8 +90,10 @@ inline constexpr NoteCode twoFeeds{
 inline constexpr NoteCode lessThanOneWave{
     "less_than_one_wave", Severity::Warning,
     LT_TEXT("Engine",
-            "{path}: a pattern of {waves} waves in a revolution was found. Less than one is no vibration of the cut; "
-            "light, a second feed or the scale make it.")};
+            "{path}: a pattern of {waves} waves in a revolution was found, {least} at the least. Light may double one "
+            "wave, and less than one is no vibration of the cut: drift, light, a second feed or the scale make it. "
+            "Whether there is chatter is undecided; photograph more of the circumference."),
+    NoteRole::NotModelled};
 
 inline constexpr NoteCode scaleUnknown{"scale_unknown", Severity::Info,
                                        LT_TEXT("Engine", "{path}: no scale is given; lengths are in pixels only.")};

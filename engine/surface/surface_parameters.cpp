@@ -103,6 +103,7 @@ const char* key(MarksVerdict verdict)
         case MarksVerdict::NoPeriodicMarks: return "no_periodic_marks";
         case MarksVerdict::FeedMarks: return "feed_marks";
         case MarksVerdict::ChatterMarks: return "chatter_marks";
+        case MarksVerdict::Undecided: return "undecided";
     }
     return "";
 }

@@ -53,6 +53,8 @@ const std::vector<QuantityOf<ChatterMarks>>& quantitiesOf(const ChatterMarks*)
         quantity<R>("share_percent", &R::share_percent,
                     {LT_TEXT("Engine", "Share of the picture's variance"), unit::percent, 0}),
         quantity<R>("waves_measured", &R::waves_measured, {LT_TEXT("Engine", "m as measured"), {}, 2}),
+        quantity<R>("waves_uncertainty", &R::waves_uncertainty,
+                    {LT_TEXT("Engine", "Standard uncertainty of m as measured"), {}, 2}),
         quantity<R>("waves_in_view", &R::waves_in_view, {LT_TEXT("Engine", "Waves in the picture"), {}, 2}),
         quantity<R>("lines", &R::lines, {LT_TEXT("Engine", "Lines seen")}),
         quantity<R>("kind", [](const R& marks) { return std::string(key(marks.kind)); })};

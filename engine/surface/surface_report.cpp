@@ -63,12 +63,27 @@ std::vector<report::QuantityTable> tablesOf(const ImageMarks& image)
                                                {"pitch_mm", "pitch_px", "pitch_error_percent", "direction_deg",
                                                 "significance", "regularity", "share_percent"}));
     if (image.chatter_marks)
-        tables.push_back(
-            report::quantityTable(LT_TEXT("Engine", "Chatter marks"), *image.chatter_marks,
-                                  {"frequency_hz", "frequency_uncertainty_hz", "candidates_hz", "harmonic_of_hz",
-                                   "nearest_other_hz", "m", "m_certain", "waves_measured", "waves_in_view", "nu",
-                                   "phase_deg", "axial_period_mm", "circumferential_pitch_mm", "inclination_deg",
-                                   "relative_to_feed", "significance", "regularity", "share_percent", "lines"}));
+        tables.push_back(report::quantityTable(LT_TEXT("Engine", "Chatter marks"), *image.chatter_marks,
+                                               {"frequency_hz",
+                                                "frequency_uncertainty_hz",
+                                                "candidates_hz",
+                                                "harmonic_of_hz",
+                                                "nearest_other_hz",
+                                                "m",
+                                                "m_certain",
+                                                "waves_measured",
+                                                "waves_uncertainty",
+                                                "waves_in_view",
+                                                "nu",
+                                                "phase_deg",
+                                                "axial_period_mm",
+                                                "circumferential_pitch_mm",
+                                                "inclination_deg",
+                                                "relative_to_feed",
+                                                "significance",
+                                                "regularity",
+                                                "share_percent",
+                                                "lines"}));
     return tables;
 }
 
@@ -109,9 +124,14 @@ report::Answer answer(const ImageMarks& image, const Language& language)
         addChatter(answer, image, language);
         return answer;
     }
-    answer.verdict_words = LT_TEXT("Engine", "feed marks");
+    const bool is_open = isOpen(image);
+    answer.verdict_words =
+        is_open ? LT_TEXT("Engine", "feed marks, chatter undecided") : LT_TEXT("Engine", "feed marks");
     answer.sentence =
-        image.feed_marks->pitch_mm
+        is_open ? (image.feed_marks->pitch_mm
+                       ? LT_TEXT("Engine", "Feed marks {pitch} mm apart; whether there is chatter is open.")
+                       : LT_TEXT("Engine", "Feed marks {pitch} px apart; whether there is chatter is open."))
+        : image.feed_marks->pitch_mm
             ? LT_TEXT("Engine", "Feed marks {pitch} mm apart, no chatter marks above {limit} % of the feed line.")
             : LT_TEXT("Engine", "Feed marks {pitch} px apart, no chatter marks above {limit} % of the feed line.");
     answer.values = {{"pitch", fixed(image.feed_marks->pitch_mm.value_or(image.feed_marks->pitch_px),

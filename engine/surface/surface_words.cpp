@@ -24,6 +24,10 @@ report::Paragraph ofOne(const ImageMarks& image, bool is_before, const Language&
         return paragraph(is_before ? LT_TEXT("Engine", "Before, {rpm} rpm: no periodic marks found.")
                                    : LT_TEXT("Engine", "After, {rpm} rpm: no periodic marks found."),
                          std::move(values));
+    if (isOpen(image))
+        return paragraph(is_before ? LT_TEXT("Engine", "Before, {rpm} rpm: whether there is chatter is open.")
+                                   : LT_TEXT("Engine", "After, {rpm} rpm: whether there is chatter is open."),
+                         std::move(values));
     if (!image.chatter_marks)
         return paragraph(
             is_before ? LT_TEXT("Engine", "Before, {rpm} rpm: no chatter marks above {limit} % of the feed marks.")

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "../core/code_of_error.h"
+#include "engine/core/understanding.h"
 #include "engine/surface/surface_codes.h"
 #include "pictures.h"
 
@@ -85,6 +86,77 @@ TEST(LineOrigin, TwoFeedsAreTwoFeeds)
     ASSERT_TRUE(marks.second_feed_marks);
     EXPECT_NEAR(*marks.second_feed_marks->pitch_mm, 0.2, 2e-3);
     EXPECT_TRUE(contains(result.notes, notes::twoFeeds));
+}
+
+TEST(LineOrigin, LessThanOneWaveIsNeverChatter)
+{
+    for (const double waves : {0.6, 0.9})
+        for (SyntheticParameters truth : {smallField(7), turnedField(8, 7), overview(9)}) {
+            truth.frequency_hz = waves * truth.speed_rpm / 60;
+            truth.amplitude_um = 2 * theoreticalDepth_um(truth);
+            const SurfaceResult result = findSurfaceMarks({{"picture", syntheticPicture(truth)}}, known(truth));
+            const ImageMarks& marks = result.images.front();
+            EXPECT_FALSE(marks.chatter_marks) << waves << " " << truth.mm_per_px;
+            EXPECT_EQ(marks.verdict, MarksVerdict::Undecided) << waves << " " << truth.mm_per_px;
+            EXPECT_TRUE(contains(result.notes, notes::lessThanOneWave));
+            EXPECT_EQ(understandingOf(result.notes).count(), 1);
+        }
+}
+
+/// Light from all sides doubles the pattern: 1.2 and 1.8 waves are seen.
+TEST(LineOrigin, LessThanOneWaveDoubledIsNeverChatter)
+{
+    for (const double waves : {0.6, 0.9})
+        for (SyntheticParameters truth : {turnedField(8, 7), overview(9)}) {
+            truth.light = Light::Ring;
+            truth.frequency_hz = waves * truth.speed_rpm / 60;
+            truth.amplitude_um = 2 * theoreticalDepth_um(truth);
+            const ImageMarks marks = marksOf(syntheticPicture(truth), known(truth));
+            EXPECT_FALSE(marks.chatter_marks) << waves << " " << truth.mm_per_px;
+            EXPECT_NE(marks.verdict, MarksVerdict::ChatterMarks);
+        }
+}
+
+/// With a half or a third of a wave between the tracks, lines of a slow pattern merge and are read as of many waves.
+TEST(LineOrigin, MergedLinesOfSlowPatternsAreNeverChatter)
+{
+    for (const double waves : {1 / 2.0, 2 / 3.0})
+        for (SyntheticParameters truth : {smallField(2), turnedField(2, 12)}) {
+            truth.feed_mm_rev = 0.15;
+            truth.diameter_mm = 40;
+            truth.frequency_hz = waves * truth.speed_rpm / 60;
+            truth.amplitude_um = 3 * theoreticalDepth_um(truth);
+            const ImageMarks marks = marksOf(syntheticPicture(truth), known(truth));
+            EXPECT_FALSE(marks.chatter_marks) << waves << " " << truth.mm_per_px;
+            EXPECT_TRUE(marks.feed_marks) << waves << " " << truth.mm_per_px;
+        }
+}
+
+TEST(LineOrigin, ThreeWavesAreChatter)
+{
+    SyntheticParameters truth = overview(9);
+    truth.frequency_hz = 3.3 * truth.speed_rpm / 60;
+    truth.amplitude_um = 2 * theoreticalDepth_um(truth);
+    const ImageMarks marks = marksOf(syntheticPicture(truth), known(truth));
+    ASSERT_TRUE(marks.chatter_marks);
+    EXPECT_EQ(marks.verdict, MarksVerdict::ChatterMarks);
+    EXPECT_NEAR(*marks.chatter_marks->waves_measured, 3, 3 * *marks.chatter_marks->waves_uncertainty);
+    EXPECT_NEAR(*marks.chatter_marks->frequency_hz, truth.frequency_hz, 0.3);
+}
+
+/// Chatter so strong that the feed marks are lost under a lamp lies in all parts of the picture.
+TEST(LineOrigin, ChatterStrongerThanTheFeedIsNoSecondFeed)
+{
+    SyntheticParameters truth = turnedField(12, 0);
+    truth.diameter_mm = 40;
+    truth.feed_mm_rev = 0.1;
+    truth.speed_rpm = 1600;
+    truth.frequency_hz = 410;
+    truth.amplitude_um = 3 * theoreticalDepth_um(truth);
+    const ImageMarks marks = marksOf(underLamps(syntheticPicture(truth), 0.75, 0, -0.2, 0.2), known(truth));
+    EXPECT_FALSE(marks.second_feed_marks);
+    ASSERT_TRUE(marks.chatter_marks);
+    EXPECT_NEAR(marks.chatter_marks->nu, 410 / (1600 / 60.0) - 15, 5e-3);
 }
 
 TEST(LineOrigin, SixWavesInAnOverviewAreCertain)

@@ -96,6 +96,26 @@ TEST(SurfaceWords, TheSpeedRelationCheckFollowsTheFractionOfAWave)
     EXPECT_FALSE(speedRelationSentence(marksWithNu(-0.256, ChatterKind::Regenerative), {}));
 }
 
+TEST(SurfaceWords, WhatIsOpenIsNotDenied)
+{
+    SurfaceResult result;
+    ImageMarks image = marksWithNu(-0.4, ChatterKind::Regenerative);
+    image.chatter_marks.reset();
+    image.detection_limit_relative_to_feed = 0.02;
+    image.verdict = MarksVerdict::FeedMarks;
+    result.images = {image, image};
+    EXPECT_NE(englishText(beforeAndAfter(result, {}).front()).find("no chatter marks"), std::string::npos);
+    result.images.front().verdict = MarksVerdict::Undecided;
+    result.images.back().second_feed_marks.emplace();
+    for (const report::Paragraph& sentence : beforeAndAfter(result, {}))
+        EXPECT_EQ(englishText(sentence).find("no chatter marks"), std::string::npos);
+    for (const ImageMarks& open : result.images) {
+        const report::Answer said = answer(open);
+        EXPECT_NE(std::string(said.sentence.english).find("is open"), std::string::npos);
+        EXPECT_NE(std::string(said.verdict_words.english).find("undecided"), std::string::npos);
+    }
+}
+
 TEST(SurfaceWords, ForcedOrRegenerative)
 {
     EXPECT_NE(englishText(*originSentence(marksWithNu(0.02, ChatterKind::Forced))).find("Forced or regenerative?"),

@@ -42,9 +42,15 @@ RevolutionFit fitAxis(const std::vector<Vector3d>& points, FreeEnd free_end, con
     return fit;
 }
 
-/// Makes stretches round that are not: their marks, in the frame of the new fit. Nothing changes where there are none.
-std::vector<ShaftMark> makeRound(PartPoints& part, FreeEnd free_end, RevolutionFit& fit, Meridian& meridian,
-                                 const Progress& progress)
+/// Stretches that were made round, in the frame of the fit without them.
+struct MadeRound {
+    std::vector<ShaftMark> marks;
+    std::vector<UnsureEnd> unsure_ends;
+};
+
+/// Makes stretches round that are not. Nothing changes where there are none.
+MadeRound makeRound(PartPoints& part, FreeEnd free_end, RevolutionFit& fit, Meridian& meridian,
+                    const Progress& progress)
 {
     const double sigma_mm = meridian.coarse.sigma_mm;
     const std::vector<NotRoundStretch> stretches = notRoundStretches(meridian.cloud, sigma_mm, fit, progress);
@@ -54,10 +60,10 @@ std::vector<ShaftMark> makeRound(PartPoints& part, FreeEnd free_end, RevolutionF
     const RevolutionFit before = fit;
     fit = fitAxis(part.own, free_end, progress.quiet());
     meridian = meridianOf(part, fit, progress.quiet());
-    std::vector<ShaftMark> marks = marksIn(fit, before, stretches);
-    shareForm(marks, meridian.coarse);
-    shareForm(marks, meridian.fine);
-    return marks;
+    MadeRound made{marksIn(fit, before, stretches), unsureEndsIn(fit, before, stretches)};
+    shareForm(made.marks, meridian.coarse);
+    shareForm(made.marks, meridian.fine);
+    return made;
 }
 
 /// Do most points lie on surfaces of revolution about the axis? Then the others may be named: an eccentric, a square.
@@ -318,8 +324,7 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
     if (auto better = withoutSurroundings(scan, parameters, now, {part.all(), fit, meridian.cloud, meridian.coarse},
                                           progress.part(0.6, 1)))
         return *std::move(better);
-    const std::vector<ShaftMark> stretches =
-        makeRound(part, parameters.free_end, fit, meridian, progress.part(0.6, 0.6));
+    const MadeRound stretches = makeRound(part, parameters.free_end, fit, meridian, progress.part(0.6, 0.6));
     const std::vector<Vector3d>& points = part.all();
     if (is_spoilt) judgeAxis(fit, result.notes);
     const std::vector<Cut> cuts = cutsOf(now, fit);
@@ -334,11 +339,11 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
     result.variance_ratio = found.structure.variance_ratio;
     const AddedUncertainty added = addedUncertainty(fit.coverage_deg, found.structure, result);
     if (parameters.length_mm) applyStatedLength(*parameters.length_mm, result.variance_ratio, found.outside);
-    widenEnds(stretches, found.outside);
+    widenEnds(stretches.unsure_ends, found.outside);
     const double zero = found.zero_mm();
     takeOutside(found.outside, fit, added, result);
     if (found.bore) addSeenBores(*found.bore, zero, result.ends.back().z_mm, fit, added, result);
-    takeMarks(marksOf(meridian, found, fitting), stretches, zero, result);
+    takeMarks(marksOf(meridian, found, fitting), stretches.marks, zero, result);
     addBalls(found.outside, result);
     noteRoughZones(found.outside, result);
     describeStructure(found.seen(meridian.cloud), found.structure, zero, result, fitting);

@@ -13,6 +13,7 @@ namespace {
 /// A point near an end: its distance beyond the end that was known before, and whether it lies on the shape.
 struct NearEnd {
     double beyond_mm = 0, r_mm = 0;
+    double shape_mm = 0;  ///< radius of the shape there
     bool is_on = false;
     bool is_below = false, is_high = false;  ///< where the shape is a gap or a face, a crest or a corner
     bool is_level = false;                   ///< where it reaches its level: there a chamfer begins
@@ -45,7 +46,7 @@ std::vector<NearEnd> pointsNear(const MeridianCloud& cloud, const NotRoundStretc
             stretch.shape.radiusAt_mm(static_cast<double>(cloud.turn[i]), static_cast<double>(cloud.z_mm[i]));
         if (std::isnan(radius)) continue;
         const double r = static_cast<double>(cloud.r_mm[i]);
-        near.push_back({beyond, r, std::abs(r - radius) < limit, isBelowRound(stretch.shape, radius, sigma_mm),
+        near.push_back({beyond, r, radius, std::abs(r - radius) < limit, isBelowRound(stretch.shape, radius, sigma_mm),
                         radius > high, radius > shape.level_mm - limit});
     }
     std::sort(near.begin(), near.end(), [](const NearEnd& a, const NearEnd& b) { return a.beyond_mm < b.beyond_mm; });
@@ -155,7 +156,13 @@ double extensionOf(const std::vector<NearEnd>& near, double from_mm, double leas
 struct RadiusLine {
     double radius_mm = 0, slope = 0;
 
-    double offOf(const NearEnd& point) const { return point.r_mm - radius_mm - slope * point.beyond_mm; }
+    double at_mm(double beyond_mm) const { return radius_mm + slope * beyond_mm; }
+    double offOf(const NearEnd& point) const { return point.r_mm - at_mm(point.beyond_mm); }
+    /// Where a line that falls has come down to a radius.
+    std::optional<double> placeOf(double level_mm) const
+    {
+        return slope < -stretchEnds.least_slope ? std::optional((level_mm - radius_mm) / slope) : std::nullopt;
+    }
 };
 
 std::optional<RadiusLine> lineThrough(const std::vector<NearEnd>& points)
@@ -185,35 +192,87 @@ NearEnd middleOf(const std::vector<NearEnd>& points, std::size_t from, std::size
     return {upperMedianInPlace(beyond), upperMedianInPlace(radii)};
 }
 
-/// The line through crests or corners that are cut between two distances from the known end, without hits of the face
-/// at the end: from the medians of its halves, then of the points near it. Nothing where few are cut.
-std::optional<RadiusLine> roundBeyond(const std::vector<NearEnd>& near, double from_mm, double to_mm, double on_mm)
+/// Smallest radius of a shape: of its faces or roots.
+double lowest_mm(const SectionShape& shape)
 {
-    std::vector<NearEnd> cut;
-    for (const NearEnd& point : near)
-        if (point.is_high && !point.is_on && point.beyond_mm > from_mm && point.beyond_mm <= to_mm)
-            cut.push_back(point);
-    if (cut.size() < stretchEnds.least_points) return std::nullopt;
-    const std::size_t half = cut.size() / 2;
-    std::optional<RadiusLine> line = lineThrough({middleOf(cut, 0, half), middleOf(cut, half, cut.size())});
-    for (int round = 0; line && round < stretchEnds.line_rounds; ++round) {
-        std::vector<NearEnd> on;
-        for (const NearEnd& point : cut)
-            if (std::abs(line->offOf(point)) < on_mm) on.push_back(point);
-        line = lineThrough(on);
-    }
-    return line;
+    double lowest = shape.pitch_mm.empty() ? shape.face_mm : shape.level_mm;
+    for (const double radius : shape.pitch_mm) lowest = radius < lowest ? radius : lowest;
+    return lowest;
 }
 
-/// Do nearly all points from shortly before the end of the section on lie on the shape or the round beyond?
-bool isExplained(const std::vector<NearEnd>& near, double change_mm, const RadiusLine& beyond, double on_mm)
-{
-    ShareOn explained;
-    for (const NearEnd& point : near)
-        if (point.beyond_mm > change_mm - stretchEnds.beyond_mm && point.beyond_mm < change_mm + stretchEnds.at_end_mm)
-            explained.add(point.is_on || std::abs(beyond.offOf(point)) < on_mm);
-    return explained.share() > stretchEnds.absorb_share;
-}
+/// The round that cuts a stretch beyond the end of its section, and where it begins and leaves nothing of the shape.
+class CutBeyond {
+public:
+    CutBeyond(const std::vector<NearEnd>& near, const SectionShape& shape, double sigma_mm, double change_mm)
+        : near_(near),
+          shape_(shape),
+          limit_mm_(stretchProof.on_sigmas * sigma_mm + stretchProof.on_mm),
+          on_mm_(stretchEnds.edge_sigmas * sigma_mm + stretchEnds.edge_off_mm),
+          from_mm_(change_mm),
+          to_mm_(extensionOf(near, change_mm, stretchEnds.low_sigmas * sigma_mm + stretchEnds.low_mm)),
+          line_{shape.level_mm, 0}
+    {
+        if (const std::optional<RadiusLine> first = firstLine()) follow(*first);
+    }
+
+    double from_mm() const { return from_mm_; }
+    double to_mm() const { return to_mm_; }
+    const RadiusLine& line() const { return line_; }
+
+    /// Do nearly all points from shortly before the end of the section on lie on the shape or on the round?
+    bool isExplained() const
+    {
+        ShareOn explained;
+        for (const NearEnd& point : near_)
+            if (point.beyond_mm > from_mm_ - stretchEnds.beyond_mm &&
+                point.beyond_mm < from_mm_ + stretchEnds.at_end_mm)
+                explained.add(point.is_on || std::abs(line_.offOf(point)) < on_mm_);
+        return explained.share() > stretchEnds.absorb_share;
+    }
+
+private:
+    bool isBeyond(const NearEnd& point) const
+    {
+        return point.is_high && point.beyond_mm > from_mm_ && point.beyond_mm <= to_mm_;
+    }
+
+    /// Through the medians of the halves of what is cut: hits of the face at the end are few.
+    std::optional<RadiusLine> firstLine() const
+    {
+        std::vector<NearEnd> cut;
+        for (const NearEnd& point : near_)
+            if (isBeyond(point) && !point.is_on) cut.push_back(point);
+        if (cut.size() < stretchEnds.least_points) return std::nullopt;
+        const std::size_t half = cut.size() / 2;
+        return lineThrough({middleOf(cut, 0, half), middleOf(cut, half, cut.size())});
+    }
+
+    /// Through the points near the line where it lies below the shape; it begins at the level and ends at the lowest.
+    void follow(RadiusLine line)
+    {
+        for (int round = 0; round < stretchEnds.line_rounds; ++round) {
+            const std::optional<double> last = line.placeOf(lowest_mm(shape_));
+            if (last) to_mm_ = std::max(to_mm_, std::min(*last, near_.back().beyond_mm));
+            std::vector<NearEnd> on;
+            for (const NearEnd& point : near_)
+                if (isBeyond(point) && line.at_mm(point.beyond_mm) < point.shape_mm - limit_mm_ &&
+                    std::abs(line.offOf(point)) < on_mm_)
+                    on.push_back(point);
+            const std::optional<RadiusLine> next = lineThrough(on);
+            if (!next) return;
+            line = *next;
+        }
+        line_ = line;
+        const std::optional<double> begin = line.placeOf(shape_.level_mm);
+        if (begin && std::abs(*begin - from_mm_) < stretchEnds.begin_mm) from_mm_ = *begin;
+    }
+
+    const std::vector<NearEnd>& near_;
+    const SectionShape& shape_;
+    double limit_mm_, on_mm_;
+    double from_mm_, to_mm_;
+    RadiusLine line_;
+};
 
 }  // namespace
 
@@ -231,14 +290,11 @@ void placeStretchEnds(const MeridianCloud& cloud, double sigma_mm, NotRoundStret
     const auto place = [&](double& end_mm, double sign, RoundBeyond& beyond) {
         end_mm += sign * growthOf(cloud, stretch, sigma_mm, end_mm, sign);
         const std::vector<NearEnd> near = pointsNear(cloud, stretch, sigma_mm, end_mm, sign, before_mm);
-        const double change = endOfSection(near, reach_mm, before_mm, kind), known = end_mm;
-        const double extension = extensionOf(near, change, stretchEnds.low_sigmas * sigma_mm + stretchEnds.low_mm);
-        const double on_mm = stretchEnds.edge_sigmas * sigma_mm + stretchEnds.edge_off_mm;
-        const RadiusLine line =
-            roundBeyond(near, change, extension, on_mm).value_or(RadiusLine{stretch.shape.level_mm, 0});
-        beyond = {known, line.radius_mm, sign * line.slope, isExplained(near, change, line, on_mm)};
-        end_mm = known + sign * change;
-        return known + sign * extension;
+        const CutBeyond cut(near, stretch.shape, sigma_mm, endOfSection(near, reach_mm, before_mm, kind));
+        const double known = end_mm;
+        beyond = {known, cut.line().radius_mm, sign * cut.line().slope, cut.isExplained()};
+        end_mm = known + sign * cut.from_mm();
+        return known + sign * cut.to_mm();
     };
     stretch.mark.z_start_mm = place(stretch.from_mm, -1, stretch.before);
     stretch.mark.z_end_mm = place(stretch.to_mm, 1, stretch.behind);

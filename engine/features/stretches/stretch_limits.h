@@ -119,6 +119,8 @@ struct StretchEnds {
     double edge_mm = 0.6;      ///< beside an end points that are not on the shape are those of the neighbour
     double edge_sigmas = 5, edge_off_mm = 0.05;
     int line_rounds = 5;                 ///< of the line through a chamfer
+    double least_slope = 0.1;            ///< of such a line: flatter ones are none
+    double begin_mm = 0.5;               ///< by which it may begin elsewhere than the section seems to end
     double grow_step_mm = 0.5;           ///< steps by which the sections of a stretch are followed,
     std::size_t most_grow_steps = 2000;  ///< at most
     double crest_share = 0.97;           ///< of the points on crests and corners: fewer are those of a chamfer

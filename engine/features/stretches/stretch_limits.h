@@ -126,9 +126,9 @@ struct StretchEnds {
     double crest_share = 0.97;           ///< of the points on crests and corners: fewer are those of a chamfer
     double absorb_share = 0.85;          ///< of the points of a run beside, on the shape: it is part of the stretch
     double at_end_mm = 1.5;              ///< between the ends of a stretch and of the part: chamfers to 1 mm and more
-    double end_sigma_mm = 0.25;          ///< of such an end: chamfers of corners were up to 0.5 mm off in 20 scans,
-    double spline_end_sigma_mm = 0.1;    ///< and of teeth up to 0.13 mm in 12
-    double over_share = 0.5;             ///< of another mark within a stretch: then it is part of it
+    double end_sigma_mm = 0.25;        ///< of an end that is not explained: chamfers of corners were up to 0.5 mm off,
+    double spline_end_sigma_mm = 0.1;  ///< and of teeth up to 0.13 mm
+    double over_share = 0.5;           ///< of another mark within a stretch: then it is part of it
 };
 inline constexpr StretchEnds stretchEnds;
 

@@ -219,9 +219,11 @@ public:
     double to_mm() const { return to_mm_; }
     const RadiusLine& line() const { return line_; }
 
-    /// Do nearly all points from shortly before the end of the section on lie on the shape or on the round?
+    /// Do nearly all points from shortly before the end of the section on lie on the shape or on the round? Of a thread
+    /// those on flanks are not judged, which are most of its points.
     bool isExplained() const
     {
+        if (isThread()) return false;
         ShareOn explained;
         for (const NearEnd& point : near_)
             if (point.beyond_mm > from_mm_ - stretchEnds.beyond_mm &&
@@ -231,6 +233,8 @@ public:
     }
 
 private:
+    bool isThread() const { return shape_.kind == MarkKind::Thread; }
+
     bool isBeyond(const NearEnd& point) const
     {
         return point.is_high && point.beyond_mm > from_mm_ && point.beyond_mm <= to_mm_;
@@ -252,7 +256,7 @@ private:
     {
         for (int round = 0; round < stretchEnds.line_rounds; ++round) {
             const std::optional<double> last = line.placeOf(lowest_mm(shape_));
-            if (last) to_mm_ = std::max(to_mm_, std::min(*last, near_.back().beyond_mm));
+            if (last && !isThread()) to_mm_ = std::max(to_mm_, std::min(*last, near_.back().beyond_mm));
             std::vector<NearEnd> on;
             for (const NearEnd& point : near_)
                 if (isBeyond(point) && line.at_mm(point.beyond_mm) < point.shape_mm - limit_mm_ &&
@@ -264,7 +268,7 @@ private:
         }
         line_ = line;
         const std::optional<double> begin = line.placeOf(shape_.level_mm);
-        if (begin && std::abs(*begin - from_mm_) < stretchEnds.begin_mm) from_mm_ = *begin;
+        if (begin && !isThread() && std::abs(*begin - from_mm_) < stretchEnds.begin_mm) from_mm_ = *begin;
     }
 
     const std::vector<NearEnd>& near_;

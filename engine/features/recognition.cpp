@@ -10,7 +10,6 @@
 #include "engine/features/marks/marks.h"
 #include "engine/features/nominal/snap.h"
 #include "engine/features/outline/ball_ends.h"
-#include "engine/features/outline/bore_rows.h"
 #include "engine/features/outline/dimensions.h"
 #include "engine/features/outline/end_closure.h"
 #include "engine/features/outline/outline.h"
@@ -21,6 +20,7 @@
 #include "engine/features/recognition_finish.h"
 #include "engine/features/recognition_limits.h"
 #include "engine/features/scene/surroundings/left_out.h"
+#include "engine/features/seen_bores.h"
 #include "engine/features/stretches/rounding.h"
 #include "engine/features/structure/structure.h"
 #include "engine/registration/registration_codes.h"
@@ -42,9 +42,15 @@ RevolutionFit fitAxis(const std::vector<Vector3d>& points, FreeEnd free_end, con
     return fit;
 }
 
-/// Makes stretches round that are not: their marks, in the frame of the new fit. Nothing changes where there are none.
-std::vector<ShaftMark> makeRound(PartPoints& part, FreeEnd free_end, RevolutionFit& fit, Meridian& meridian,
-                                 const Progress& progress)
+/// Stretches that were made round, in the frame of the fit without them.
+struct MadeRound {
+    std::vector<ShaftMark> marks;
+    std::vector<UnsureEnd> unsure_ends;
+};
+
+/// Makes stretches round that are not. Nothing changes where there are none.
+MadeRound makeRound(PartPoints& part, FreeEnd free_end, RevolutionFit& fit, Meridian& meridian,
+                    const Progress& progress)
 {
     const double sigma_mm = meridian.coarse.sigma_mm;
     const std::vector<NotRoundStretch> stretches = notRoundStretches(meridian.cloud, sigma_mm, fit, progress);
@@ -54,10 +60,10 @@ std::vector<ShaftMark> makeRound(PartPoints& part, FreeEnd free_end, RevolutionF
     const RevolutionFit before = fit;
     fit = fitAxis(part.own, free_end, progress.quiet());
     meridian = meridianOf(part, fit, progress.quiet());
-    std::vector<ShaftMark> marks = marksIn(fit, before, stretches);
-    shareForm(marks, meridian.coarse);
-    shareForm(marks, meridian.fine);
-    return marks;
+    MadeRound made{marksIn(fit, before, stretches), unsureEndsIn(fit, before, stretches)};
+    shareForm(made.marks, meridian.coarse);
+    shareForm(made.marks, meridian.fine);
+    return made;
 }
 
 /// Do most points lie on surfaces of revolution about the axis? Then the others may be named: an eccentric, a square.
@@ -81,70 +87,6 @@ bool mayBeSpoilt(const RevolutionFit& fit, const RecognitionParameters& paramete
     const bool has_axis =
         fit.not_turned == registration::NotTurned::NotRound || fit.not_turned == registration::NotTurned::SeveralParts;
     return may_leave_out && has_axis && fit.iterations > 0 && fit.coverage_deg >= registration::leastCoverage_deg;
-}
-
-/// Rows of a bore from its mouth inward.
-std::vector<RecognizedRow> fromMouth(std::vector<RecognizedRow> rows, ShaftEnd mouth)
-{
-    if (mouth == ShaftEnd::Free) return rows;
-    std::reverse(rows.begin(), rows.end());
-    for (RecognizedRow& row : rows) {
-        std::swap(row.start_diameter_mm, row.end_diameter_mm);
-        std::swap(row.uncertainty.start_diameter_um, row.uncertainty.end_diameter_um);
-    }
-    return rows;
-}
-
-/// A cylinder that continues behind a stretch without points is one row.
-void joinCylinders(std::vector<RecognizedRow>& rows)
-{
-    for (std::size_t i = 0; i + 1 < rows.size();) {
-        RecognizedRow &a = rows[i], &b = rows[i + 1];
-        const bool same = a.kind == RowKind::Cylinder && b.kind == RowKind::Cylinder &&
-                          std::abs(a.end_diameter_mm - b.start_diameter_mm) < recognitionLimits.same_diameter_mm;
-        if (!same || b.z_start_mm - a.z_end_mm < recognitionLimits.unseen_mm) {
-            ++i;
-            continue;
-        }
-        const double wa = static_cast<double>(a.points + 1), wb = static_cast<double>(b.points + 1);
-        a.start_diameter_mm = a.end_diameter_mm = (a.start_diameter_mm * wa + b.start_diameter_mm * wb) / (wa + wb);
-        a.z_end_mm = b.z_end_mm;
-        a.uncertainty.z_end_um = b.uncertainty.z_end_um;
-        a.points += b.points;
-        rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-    }
-}
-
-/// Bores: stretches of the inner outline that reach an end of the part. One that reaches both is cut at its last
-/// hidden stretch; without one it is a through bore.
-void addSeenBores(const Outline& inner, double zero_mm, double length_mm, const RevolutionFit& fit,
-                  const AddedUncertainty& added, Recognition& result)
-{
-    std::vector<RecognizedRow> rows = rowsWithinPart(rowsOf(inner, zero_mm, fit.coverage_deg, added), length_mm);
-    if (rows.empty()) return;
-    joinCylinders(rows);
-    std::size_t gap = rows.size();  // first row behind the last hidden stretch
-    for (std::size_t i = 0; i + 1 < rows.size(); ++i)
-        if (rows[i + 1].z_start_mm - rows[i].z_end_mm > recognitionLimits.unseen_mm) {
-            result.notes.push_back(
-                {notes::boreNotSeen, {{"z_start_mm", rows[i].z_end_mm}, {"z_end_mm", rows[i + 1].z_start_mm}}});
-            result.complete = false;
-            gap = i + 1;
-        }
-    const bool free = rows.front().z_start_mm < recognitionLimits.end_reach_mm,
-               chuck = length_mm - recognitionLimits.end_reach_mm < rows.back().z_end_mm;
-    std::vector<RecognizedRow> from_free, from_chuck;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (free && (i < gap || !chuck))
-            from_free.push_back(rows[i]);
-        else if (chuck)
-            from_chuck.push_back(rows[i]);
-    if (!from_free.empty()) from_free.front().z_start_mm = 0;
-    if (!from_chuck.empty()) from_chuck.back().z_end_mm = length_mm;
-    if (free && chuck && gap == rows.size()) from_free.back().z_end_mm = length_mm;
-    for (const auto& [list, mouth] : {std::pair(&from_free, ShaftEnd::Free), std::pair(&from_chuck, ShaftEnd::Chuck)})
-        if (!list->empty()) result.bores.push_back(fromMouth(*list, mouth));
-    addMeridian(inner, zero_mm, true, 0, result.meridian);
 }
 
 AddedUncertainty addedUncertainty(double coverage_deg, const PartStructure& structure, Recognition& result)
@@ -253,15 +195,19 @@ void addPublishedMethod(const std::vector<Vector3d>& points, Recognition& result
 Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress,
                           const LeftOut* left_out = nullptr);
 
-/// Is all that was cut loose points within a prism or teeth? Their corners are thin and stand clear of the walls.
-bool cutsOnlyCorners(const Recognition& found)
+/// Is all that would be cut loose points within a prism or teeth? Their corners are thin and stand clear of the walls.
+bool cutsOnlyCorners(const std::vector<SceneGroup>& groups, const UsedPoints& used, const Progress& progress)
 {
-    return std::all_of(found.scene.begin(), found.scene.end(), [&](const SceneGroup& group) {
-        if (group.kept) return true;
-        const double z_mm = (found.part_T_scan * Vector3d((group.min_mm + group.max_mm) / 2)).z();
-        return group.kind == "clutter" &&
-               std::any_of(found.marks.begin(), found.marks.end(), [&](const ShaftMark& mark) {
-                   return isOtherThanTurned(mark.kind) && *mark.z_start_mm<z_mm&& * mark.z_end_mm> z_mm;
+    if (!std::all_of(groups.begin(), groups.end(),
+                     [](const SceneGroup& group) { return group.kept || group.kind == "clutter"; }))
+        return false;
+    const std::vector<NotRoundStretch> stretches =
+        notRoundStretches(used.cloud, used.walls.sigma_mm, used.fit, progress);
+    return std::all_of(groups.begin(), groups.end(), [&](const SceneGroup& group) {
+        const double z_mm = used.fit.onAxis((group.min_mm + group.max_mm) / 2).z();
+        return group.kept || std::any_of(stretches.begin(), stretches.end(), [&](const NotRoundStretch& stretch) {
+                   return isOtherThanTurned(stretch.shape.kind) &&
+                          *stretch.mark.z_start_mm<z_mm&& * stretch.mark.z_end_mm> z_mm;
                });
     });
 }
@@ -271,11 +217,9 @@ std::optional<Recognition> withoutSurroundings(const Scan& scan, const Recogniti
                                                const LeftOut& now, const UsedPoints& used, const Progress& progress)
 {
     const std::optional<LeftOut> next = leftOutNext(now, used, parameters, progress);
-    if (!next) return std::nullopt;
+    if (!next || (!next->zones && cutsOnlyCorners(next->scene.groups, used, progress.quiet()))) return std::nullopt;
     try {
-        Recognition found = recognizeOnce(scan, parameters, progress, &*next);
-        if (!next->zones && cutsOnlyCorners(found)) return std::nullopt;
-        return found;
+        return recognizeOnce(scan, parameters, progress, &*next);
     } catch (const Error& error) {
         // Without the surroundings there is no part: then they are part of it. Zones are left out as asked.
         if (error.code().kind != ErrorKind::NoAnswer || next->zones) throw;
@@ -318,8 +262,7 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
     if (auto better = withoutSurroundings(scan, parameters, now, {part.all(), fit, meridian.cloud, meridian.coarse},
                                           progress.part(0.6, 1)))
         return *std::move(better);
-    const std::vector<ShaftMark> stretches =
-        makeRound(part, parameters.free_end, fit, meridian, progress.part(0.6, 0.6));
+    const MadeRound stretches = makeRound(part, parameters.free_end, fit, meridian, progress.part(0.6, 0.6));
     const std::vector<Vector3d>& points = part.all();
     if (is_spoilt) judgeAxis(fit, result.notes);
     const std::vector<Cut> cuts = cutsOf(now, fit);
@@ -334,11 +277,11 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
     result.variance_ratio = found.structure.variance_ratio;
     const AddedUncertainty added = addedUncertainty(fit.coverage_deg, found.structure, result);
     if (parameters.length_mm) applyStatedLength(*parameters.length_mm, result.variance_ratio, found.outside);
-    widenEnds(stretches, found.outside);
+    widenEnds(stretches.unsure_ends, found.outside);
     const double zero = found.zero_mm();
     takeOutside(found.outside, fit, added, result);
     if (found.bore) addSeenBores(*found.bore, zero, result.ends.back().z_mm, fit, added, result);
-    takeMarks(marksOf(meridian, found, fitting), stretches, zero, result);
+    takeMarks(marksOf(meridian, found, fitting), stretches.marks, zero, result);
     addBalls(found.outside, result);
     noteRoughZones(found.outside, result);
     describeStructure(found.seen(meridian.cloud), found.structure, zero, result, fitting);

@@ -19,6 +19,7 @@ namespace lathelier::features {
 /// The round beyond an end of a stretch, where gaps or faces go on: a chamfer.
 struct RoundBeyond {
     double at_mm = 0, radius_mm = 0, slope = 0;
+    bool is_explained = true;  ///< the points there lie on it or on the shape: an end of the part there is seen
 
     double radiusAt_mm(double z_mm) const { return radius_mm + slope * (z_mm - at_mm); }
 };

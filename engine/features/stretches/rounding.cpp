@@ -88,19 +88,32 @@ void widenRows(const std::vector<ShaftMark>& stretches, std::vector<RecognizedRo
         }
 }
 
-void widenEnds(const std::vector<ShaftMark>& stretches, Outline& outside)
+std::vector<UnsureEnd> unsureEndsIn(const registration::RevolutionFit& other, const registration::RevolutionFit& fit,
+                                    const std::vector<NotRoundStretch>& stretches)
 {
-    for (const ShaftMark& mark : stretches) {
-        if (mark.kind == MarkKind::Eccentric) continue;
+    const Eigen::Isometry3d other_T_fit = other.axis_T_scan * fit.axis_T_scan.inverse();
+    std::vector<UnsureEnd> unsure;
+    for (const NotRoundStretch& stretch : stretches) {
+        if (stretch.shape.kind == MarkKind::Eccentric) continue;
         const double sigma_mm =
-            mark.kind == MarkKind::Spline ? stretchEnds.spline_end_sigma_mm : stretchEnds.end_sigma_mm;
+            stretch.shape.kind == MarkKind::Spline ? stretchEnds.spline_end_sigma_mm : stretchEnds.end_sigma_mm;
+        for (const bool start : {true, false})
+            if (!(start ? stretch.before : stretch.behind).is_explained)
+                unsure.push_back(
+                    {(other_T_fit * Vector3d(0, 0, start ? *stretch.mark.z_start_mm : *stretch.mark.z_end_mm)).z(),
+                     sigma_mm});
+    }
+    return unsure;
+}
+
+void widenEnds(const std::vector<UnsureEnd>& unsure, Outline& outside)
+{
+    for (const UnsureEnd& end : unsure)
         for (const bool start : {true, false}) {
             Plane& plane = start ? outside.model.planes.front() : outside.model.planes.back();
-            const double z_mm = start ? *mark.z_start_mm : *mark.z_end_mm;
-            if (!outside.face_seen[start ? 0 : 1] && std::abs(plane.z_mm - z_mm) < stretchEnds.at_end_mm)
-                plane.sigma_mm = std::max(plane.sigma_mm, sigma_mm);
+            if (!outside.face_seen[start ? 0 : 1] && std::abs(plane.z_mm - end.z_mm) < stretchEnds.at_end_mm)
+                plane.sigma_mm = std::max(plane.sigma_mm, end.sigma_mm);
         }
-    }
 }
 
 std::vector<ShaftMark> marksIn(const registration::RevolutionFit& other, const registration::RevolutionFit& fit,

@@ -26,9 +26,17 @@ void shareForm(const std::vector<ShaftMark>& marks, Walls& walls);
 /// The diameter of a row that a stretch makes is as uncertain as its shape.
 void widenRows(const std::vector<ShaftMark>& stretches, std::vector<RecognizedRow>& rows);
 
-/// An end of the part in faces, teeth or turns is as uncertain as its chamfer, of which only the crests are seen,
-/// unless the face at the end is seen.
-void widenEnds(const std::vector<ShaftMark>& stretches, Outline& outside);
+/// An end of a stretch whose chamfer does not explain its points.
+struct UnsureEnd {
+    double z_mm = 0, sigma_mm = 0;
+};
+
+/// Such ends in the frame of another fit of the same part.
+std::vector<UnsureEnd> unsureEndsIn(const registration::RevolutionFit& other, const registration::RevolutionFit& fit,
+                                    const std::vector<NotRoundStretch>& stretches);
+
+/// An end of the part there is as uncertain as its chamfer, unless the face at the end is seen.
+void widenEnds(const std::vector<UnsureEnd>& unsure, Outline& outside);
 
 /// Marks of the stretches in the frame of another fit of the same part.
 std::vector<ShaftMark> marksIn(const registration::RevolutionFit& other, const registration::RevolutionFit& fit,

@@ -1,7 +1,8 @@
 // Where a stretch that is not round begins and ends along the axis.
 //
 // Of the points within a stretch nearly all lie on its shape, of those beyond fewer: the end is the change of that
-// share, by maximum likelihood. Gaps of teeth and faces of a prism that go on in a chamfer belong to the mark.
+// share, by maximum likelihood. A chamfer cuts crests and corners first: the line through them tells where it begins.
+// Gaps of teeth and faces of a prism that go on in it belong to the mark, up to where it leaves nothing of them.
 #pragma once
 
 #include "engine/features/stretches/not_round.h"

@@ -108,6 +108,8 @@ struct StretchEnds {
     double low_sigmas = 6, low_mm = 0.05;  ///< below the round: where the shape shows
     std::size_t least_points = 20;
     double unseen_share = 0.7;          ///< of the share within: taken beyond the end of the data
+    double crest_reach_mm = 3;          ///< as `reach_mm`, of crests and corners alone: sections go on in chamfers
+    double earlier_mm = 0.1;            ///< by which crests end before the rest: then in a chamfer
     double helix_reach_mm = 4;          ///< as `reach_mm`: sections of chamfers are among those that wind
     double extend_mm = 4;               ///< of gaps and faces beyond, on a chamfer
     double extend_step_mm = 0.3;        ///< steps of that search
@@ -116,14 +118,17 @@ struct StretchEnds {
     double shared_mm = 0.004;  ///< standard uncertainty of the walls that are made of moved points: form of the shape
     double edge_mm = 0.6;      ///< beside an end points that are not on the shape are those of the neighbour
     double edge_sigmas = 5, edge_off_mm = 0.05;
+    int line_rounds = 5;                 ///< of the line through a chamfer
+    double least_slope = 0.1;            ///< of such a line: flatter ones are none
+    double begin_mm = 0.5;               ///< by which it may begin elsewhere than the section seems to end
     double grow_step_mm = 0.5;           ///< steps by which the sections of a stretch are followed,
     std::size_t most_grow_steps = 2000;  ///< at most
     double crest_share = 0.97;           ///< of the points on crests and corners: fewer are those of a chamfer
     double absorb_share = 0.85;          ///< of the points of a run beside, on the shape: it is part of the stretch
     double at_end_mm = 1.5;              ///< between the ends of a stretch and of the part: chamfers to 1 mm and more
-    double end_sigma_mm = 0.25;          ///< of such an end: chamfers of corners were up to 0.5 mm off in 20 scans,
-    double spline_end_sigma_mm = 0.1;    ///< and of teeth up to 0.13 mm in 12
-    double over_share = 0.5;             ///< of another mark within a stretch: then it is part of it
+    double end_sigma_mm = 0.25;        ///< of an end that is not explained: chamfers of corners were up to 0.5 mm off,
+    double spline_end_sigma_mm = 0.1;  ///< and of teeth up to 0.13 mm
+    double over_share = 0.5;           ///< of another mark within a stretch: then it is part of it
 };
 inline constexpr StretchEnds stretchEnds;
 

@@ -1,23 +1,12 @@
 // The meridian of a scan in bins: in each bin along the axis the walls found in the points, and chains of walls.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <cstdint>
 #include <vector>
 
-#include "engine/core/progress.h"
+#include "engine/features/walls/meridian_cloud.h"
 
 namespace lathelier::features {
-
-/// The points in the part's frame, sorted into bins along z. Index i is that of the scan's point.
-struct MeridianCloud {
-    std::vector<float> z_mm, r_mm;         ///< along the axis, distance from it
-    std::vector<float> turn;               ///< direction about the axis as a share of a turn, 0…1
-    double z_first_mm = 0, z_last_mm = 0;  ///< of the data without sparse millimetres beyond the ends
-    double points_per_mm = 0;              ///< median over the length
-};
-
-MeridianCloud meridianCloud(const std::vector<Eigen::Vector3d>& points_on_axis, const Progress& progress = {});
 
 /// One wall in one bin.
 struct Wall {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <vector>
 
 #include "engine/registration/revolution/meridian_bins.h"
@@ -14,6 +15,7 @@ struct BendThresholds {
     double seen_mm = 0.02;      ///< a smaller bow is not subtracted
     double largest_mm = 1;      ///< a larger bow is a bent part
     double largest_part = 200;  ///< the same for a bow above this part (1 / n) of the length
+    double shape_share = 0.02;  ///< uncertainty of the bow: that of a beam bent at mid length comes out 1.8 % short
 };
 inline constexpr BendThresholds bendThresholds{};
 
@@ -37,11 +39,14 @@ struct Bend {
     {
         return size_mm() > bendThresholds.seen_sigmas * sigma_mm && size_mm() > bendThresholds.seen_mm;
     }
-    /// More than 1 mm or a 200th of the length: no body of revolution any more.
+    /// Expanded (k = 2): from the scatter of the centres, and from curves that no quartic is.
+    double uncertainty_mm() const { return std::hypot(2 * sigma_mm, bendThresholds.shape_share * size_mm()); }
+    /// More than 1 mm or a 200th of the length, by more than its uncertainty: no body of revolution any more.
     bool isLarge() const
     {
+        const double least_mm = size_mm() - uncertainty_mm();
         return isSeen() &&
-               (size_mm() > bendThresholds.largest_mm || size_mm() > length_mm() / bendThresholds.largest_part);
+               (least_mm > bendThresholds.largest_mm || least_mm > length_mm() / bendThresholds.largest_part);
     }
 
     Eigen::Vector3d straightened(const Eigen::Vector3d& point) const

@@ -64,7 +64,7 @@ void remarkRevolution(const RevolutionFit& fit, const char* role, Notes& notes)
         notes.push_back({notes::partIsBent,
                          {{"role", std::string(role)},
                           {"bow_mm", fit.bend.size_mm()},
-                          {"bow_uncertainty_mm", 2 * fit.bend.sigma_mm}}});
+                          {"bow_uncertainty_mm", fit.bend.uncertainty_mm()}}});
     if (fit.not_turned == NotTurned::No && fit.coverage_deg < notedCoverage_deg)
         notes.push_back({notes::coverageBelowHalf, {{"role", std::string(role)}, {"coverage_deg", fit.coverage_deg}}});
 }

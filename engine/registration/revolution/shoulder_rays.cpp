@@ -13,33 +13,24 @@
 namespace lathelier::registration {
 namespace {
 
-/// Edges, the rays beside them, and their lean (README, "Thresholds").
+/// The rays beside edges, and their lean (README, "Thresholds").
 struct EdgeThresholds {
-    double least_height_sigmas = 8;    ///< of the scatter: lower jumps are no edges,
-    double least_height_steps = 0.02;  ///< nor are those below this share of a bin, on exact meshes
-    double least_steepness = 1.5;      ///< height over the width between the known bins; less is a resolved slope
-    double slope_ratio = 2;            ///< to the rise beside it, for a jump that is no part of a slope
-    int line_bins = 8;                 ///< known bins beside an edge that a straight line is laid through,
-    int line_reach = 20;               ///< and bins among which they are sought: noise leaves gaps in a slope
-    double least_line_bins = 4;        ///< for a line; the mean of fewer
-    std::ptrdiff_t slope_reach = 5;    ///< bins among which the next one of a slope is sought
-    double ray_steps = 3;              ///< bins beside an edge whose rays belong to it
-    std::size_t places_per_bin = 8;    ///< of the table of edges
-    double radius_sigmas = 6;          ///< points further outside the two radii are spurious
-    std::size_t least_hits = 3;        ///< of the rays of an edge, and as many misses
-    std::size_t sectors = 24;          ///< of the turn, in which shadows and flats are sought
-    double beyond_edge_mm = 0.5;       ///< so far from an edge the spot of a scanner shows one radius only
-    double most_missed_share = 0.05;   ///< of the points there off the larger radius: more have another cause,
-    std::size_t least_missed = 4;      ///< as have so many
-    std::size_t least_whole = 6;       ///< sectors, for the others to be left out
-    double first_lean = 0.002;         ///< search for the lean: from here,
-    double lean_factor = 1.3;          ///< in these steps,
-    double last_lean = 0.4;            ///< up to here,
-    int lean_directions = 24;          ///< in so many directions;
-    double first_refining = 0.2;       ///< of the lean: first step of the refinement,
-    double last_refining = 1e-6;       ///< and the last
-    double least_gain = 1e-12;         ///< of the misfit: a smaller improvement is rounding
-    double significance = 12;          ///< mean squares by which two more parameters have to lower the misfit
+    std::size_t places_per_bin = 8;   ///< of the table of edges
+    double radius_sigmas = 6;         ///< points further outside the two radii are spurious
+    std::size_t least_hits = 3;       ///< of the rays of an edge, and as many misses
+    std::size_t sectors = 24;         ///< of the turn, in which shadows and flats are sought
+    double beyond_edge_mm = 0.5;      ///< so far from an edge the spot of a scanner shows one radius only
+    double most_missed_share = 0.05;  ///< of the points there off the larger radius: more have another cause,
+    std::size_t least_missed = 4;     ///< as have so many
+    std::size_t least_whole = 6;      ///< sectors, for the others to be left out
+    double first_lean = 0.002;        ///< search for the lean: from here,
+    double lean_factor = 1.3;         ///< in these steps,
+    double last_lean = 0.4;           ///< up to here,
+    int lean_directions = 24;         ///< in so many directions;
+    double first_refining = 0.2;      ///< of the lean: first step of the refinement,
+    double last_refining = 1e-6;      ///< and the last
+    double least_gain = 1e-12;        ///< of the misfit: a smaller improvement is rounding
+    double significance = 12;         ///< mean squares by which two more parameters have to lower the misfit
 };
 constexpr EdgeThresholds edgeThresholds{};
 
@@ -68,85 +59,6 @@ double heightOf(const Edge& edge)
 double leanOf(const ScannerAxis& scanner)
 {
     return std::hypot(scanner.direction.x(), scanner.direction.y()) / scanner.direction.z();
-}
-
-/// Straight line through the nearest known bins from `bin` in direction `step`, up to the next jump, at `z`.
-double extrapolate(const RadiusProfile& profile, std::ptrdiff_t bin, std::ptrdiff_t step, double jump, double z)
-{
-    double n = 0, sz = 0, sr = 0, szz = 0, szr = 0;
-    double last = profile.radius_mm[static_cast<std::size_t>(bin)];
-    for (int k = 0; k < edgeThresholds.line_reach && n < edgeThresholds.line_bins; ++k, bin += step) {
-        if (bin < 0 || bin >= static_cast<std::ptrdiff_t>(profile.size())) break;
-        const double r = profile.radius_mm[static_cast<std::size_t>(bin)];
-        if (std::isnan(r)) continue;
-        if (std::abs(r - last) > jump) break;
-        last = r;
-        const double dz = profile.middle_mm(static_cast<std::size_t>(bin)) - z;
-        n += 1;
-        sz += dz;
-        sr += r;
-        szz += dz * dz;
-        szr += dz * r;
-    }
-    const double spread = n * szz - sz * sz;
-    return n < edgeThresholds.least_line_bins || spread <= 0 ? sr / n : (szz * sr - sz * szr) / spread;
-}
-
-/// How much the radius rises (times `sign`) for each bin, up to the known bin next to `bin` in direction `away`.
-double riseFrom(const RadiusProfile& profile, std::ptrdiff_t bin, std::ptrdiff_t away, double sign)
-{
-    const auto radiusAt = [&](std::ptrdiff_t at) { return profile.radius_mm[static_cast<std::size_t>(at)]; };
-    for (std::ptrdiff_t k = 1; k <= edgeThresholds.slope_reach; ++k) {
-        const std::ptrdiff_t next = bin + k * away;
-        if (next < 0 || next >= static_cast<std::ptrdiff_t>(profile.size())) break;
-        if (std::isnan(radiusAt(next))) continue;
-        return (radiusAt(next) - radiusAt(bin)) * sign * static_cast<double>(away) / static_cast<double>(k);
-    }
-    return 0.0;
-}
-
-/// The edge between two known bins; nullopt: none. `least`: lowest edge.
-std::optional<Edge> edgeBetween(const RadiusProfile& profile, std::ptrdiff_t before, std::ptrdiff_t after, double least)
-{
-    const auto first = static_cast<std::size_t>(before), last = static_cast<std::size_t>(after);
-    const double z1 = profile.middle_mm(first);
-    const double z2 = profile.middle_mm(last);
-    Edge edge;
-    edge.z_mm = (z1 + z2) / 2;
-    edge.before_mm = extrapolate(profile, before, -1, least, edge.z_mm);
-    edge.after_mm = extrapolate(profile, after, 1, least, edge.z_mm);
-    const double rise = edge.after_mm - edge.before_mm;
-    const double height = std::abs(rise);
-    edge.sign = rise > 0 ? 1 : -1;
-    edge.from_mm = z1 - edgeThresholds.ray_steps * profile.step_mm;
-    edge.to_mm = z2 + edgeThresholds.ray_steps * profile.step_mm;
-    // A steep but resolved slope is no shoulder: the bins beside it rise at the same rate.
-    const double a_bin = 1 / static_cast<double>(after - before);
-    const double beside = std::max(riseFrom(profile, before, -1, edge.sign), riseFrom(profile, after, 1, edge.sign));
-    const bool goes_on =
-        std::abs(profile.radius_mm[last] - profile.radius_mm[first]) * a_bin < edgeThresholds.slope_ratio * beside;
-    if (!(height > least) || !(height > edgeThresholds.least_steepness * (z2 - z1) * a_bin) || goes_on)
-        return std::nullopt;
-    return edge;
-}
-
-std::vector<Edge> findEdges(const RevolutionFit& fit)
-{
-    const RadiusProfile& profile = fit.profile;
-    const double least = std::max(edgeThresholds.least_height_sigmas * fit.sigma_mm,
-                                  edgeThresholds.least_height_steps * profile.step_mm);
-    std::vector<Edge> edges;
-    std::ptrdiff_t before = -1;
-    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(profile.size()); ++i) {
-        if (std::isnan(profile.radius_mm[static_cast<std::size_t>(i)])) continue;
-        if (before >= 0 && i - before <= static_cast<std::ptrdiff_t>(longestShoulder_bins))
-            if (const auto edge = edgeBetween(profile, before, i, least)) edges.push_back(*edge);
-        before = i;
-    }
-    for (std::size_t k = 1; k < edges.size(); ++k)
-        if (edges[k - 1].to_mm > edges[k].from_mm)
-            edges[k - 1].to_mm = edges[k].from_mm = (edges[k - 1].z_mm + edges[k].z_mm) / 2;
-    return edges;
 }
 
 /// The ray of the point `p` passes the radius `radius_mm` at this z.

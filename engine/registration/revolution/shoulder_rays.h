@@ -4,19 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "engine/registration/revolution/profile_edges.h"
 #include "engine/registration/revolution/revolution_axis.h"
 
 namespace lathelier::registration {
-
-/// Where the radius jumps, roughly. Heights are z times `sign`, so that the larger radius lies at larger heights.
-struct Edge {
-    double z_mm = 0;                ///< half way between the bins beside it
-    double before_mm = 0;           ///< radius just before it, in z
-    double after_mm = 0;            ///< radius just after it
-    double sign = 1;                ///< 1: the radius rises with z, -1: it falls
-    double from_mm = 0, to_mm = 0;  ///< range of z of the rays
-    double above_mm = 0;            ///< how far beyond the larger radius its wall rises within that stretch
-};
 
 /// One ray near an edge: its height where it passes the larger radius, and whether it hit it.
 struct Ray {

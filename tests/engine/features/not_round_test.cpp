@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <numbers>
 
 #include "engine/core/random.h"
@@ -224,6 +225,74 @@ TEST(NotRound, ASquareWithTurnedCorners)
     EXPECT_NEAR(*mark->z_end_mm, 30, 0.3);
     EXPECT_TRUE(result.unexplained.empty());
     expectDiameter(result, 20, 25);
+}
+
+/// What is cut beside an end of the collar part, with its chamfer 1 × 45° from Ø23 to Ø25.
+struct CutEnd {
+    const char* name;
+    MarkKind kind;
+    bool at_free;
+    double chamfer_mm;  ///< length of what is left of the chamfer
+    std::function<double(double)> radius_mm;
+};
+
+/// The radius of teeth over the angle; their crests are those of the bar.
+std::function<double(double)> teethOf(int count, double root_mm)
+{
+    return [=](double angle_rad) {
+        return std::abs(std::remainder(count * angle_rad / (2 * halfTurn), 1)) < 0.25 ? 99.0 : root_mm;
+    };
+}
+
+class CutEnds : public testing::TestWithParam<CutEnd> {};
+
+TEST_P(CutEnds, KeepTheirChamferAndTheirPlace)
+{
+    const CutEnd& cut = GetParam();
+    const Recognition result = recognizedAs(
+        [&](const AroundPoint& p) {
+            if (!(cut.at_free ? p.z_mm < 20 : p.z_mm > 77)) return p.r_mm;
+            const double wall_mm = 12.5 - std::max({0.0, 1 - p.z_mm, p.z_mm - 96});
+            return std::min(p.r_mm, cut.radius_mm(p.angle_rad) + p.r_mm - wall_mm);
+        },
+        3);
+    ASSERT_TRUE(onlyMark(result, cut.kind));
+    const RecognizedEnd& end = cut.at_free ? result.ends.front() : result.ends.back();
+    EXPECT_EQ(end.closed_by, cut.chamfer_mm > 0 ? "chamfer" : "edge");
+    EXPECT_LT(end.uncertainty_mm, 0.05);
+    EXPECT_NEAR(result.ends.back().z_mm, 97,
+                std::hypot(result.ends.front().uncertainty_mm, result.ends.back().uncertainty_mm));
+    const RecognizedRow& row = cut.at_free ? result.segments.front() : result.segments.back();
+    if (!(cut.chamfer_mm > 0)) return;
+    EXPECT_EQ(row.kind, RowKind::Cone);
+    EXPECT_NEAR(row.z_end_mm - row.z_start_mm, cut.chamfer_mm, 0.06);
+    EXPECT_NEAR(cut.at_free ? row.start_diameter_mm : row.end_diameter_mm, 23, 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(NotRound, CutEnds,
+                         testing::Values(CutEnd{"SquareWithTurnedCorners", MarkKind::Square, true, 1,
+                                                [](double a) { return onPolygon_mm(4, 10, a - 1); }},
+                                         CutEnd{"SquareAtTheChuck", MarkKind::Square, false, 1,
+                                                [](double a) { return onPolygon_mm(4, 9, a - 1); }},
+                                         CutEnd{"HexagonWithCornersCut", MarkKind::Hexagon, true,
+                                                10.5 / std::cos(halfTurn / 6) - 11.5,
+                                                [](double a) { return onPolygon_mm(6, 10.5, a); }},
+                                         CutEnd{"HexagonWithinTheChamfer", MarkKind::Hexagon, true, 0,
+                                                [](double a) { return onPolygon_mm(6, 9, a); }},
+                                         CutEnd{"SplineWithRootsBelow", MarkKind::Spline, true, 1, teethOf(10, 10.5)},
+                                         CutEnd{"SplineWithRootsCut", MarkKind::Spline, false, 1, teethOf(12, 11.8)}),
+                         [](const testing::TestParamInfo<CutEnd>& info) { return info.param.name; });
+
+/// Gaps that sink with the chamfer lie on no shape that is known: the end stays uncertain.
+TEST(NotRound, AnEndThatIsNotExplainedIsUncertain)
+{
+    const Recognition result = recognizedAs([](const AroundPoint& p) {
+        const bool is_gap = std::abs(std::remainder(8 * p.angle_rad / (2 * halfTurn), 1)) > 0.25;
+        return p.z_mm < 20 && is_gap ? p.r_mm - 1.5 : p.r_mm;
+    });
+    ASSERT_TRUE(onlyMark(result, MarkKind::Spline));
+    EXPECT_GT(result.ends.front().uncertainty_mm, 0.15);
+    EXPECT_NEAR(result.ends.back().z_mm, 97, result.ends.front().uncertainty_mm);
 }
 
 /// A third of the area off the axis leaves an axis.

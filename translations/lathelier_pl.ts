@@ -10124,10 +10124,6 @@
         <translation>Faza na końcu</translation>
     </message>
     <message>
-        <source>an end is not seen; state the length to confirm it</source>
-        <translation>nie widać końca; podaj długość, aby ją potwierdzić</translation>
-    </message>
-    <message>
         <source>there is a gap in the data</source>
         <translation>w danych jest luka</translation>
     </message>
@@ -10174,10 +10170,6 @@
     <message>
         <source>knurl, {teeth} teeth</source>
         <translation>radełkowanie, zębów: {teeth}</translation>
-    </message>
-    <message>
-        <source>recovered from a scan; measured values are not a specification</source>
-        <translation>odtworzono ze skanu; wartości zmierzone nie są wymaganiami</translation>
     </message>
     <message>
         <source>SHA-256</source>
@@ -15880,10 +15872,6 @@
         <translation>NIEKOMPLETNY: arkusz jest za mały na wymiary i przekroje</translation>
     </message>
     <message>
-        <source>italic: as measured; not a specification. ± U: k = 2</source>
-        <translation>kursywa: wartości zmierzone; nie są wymaganiem. ± U: k = 2</translation>
-    </message>
-    <message>
         <source>Mass without marks</source>
         <translation>Masa bez znaków</translation>
     </message>
@@ -15948,16 +15936,104 @@
         <translation>{path}: na zdjęciu leżą ślady dwóch posuwów, co {pitch} i co {second_pitch} {unit}, w różnych jego częściach. Drgań nie szukano; oceń każdą część osobno, podając obszar.</translation>
     </message>
     <message>
-        <source>{path}: a pattern of {waves} waves in a revolution was found. Less than one is no vibration of the cut; light, a second feed or the scale make it.</source>
-        <translation>{path}: znaleziono wzór o {waves} fali na obrót. Mniej niż jedna nie jest drganiem skrawania; tworzy ją światło, drugi posuw albo skala.</translation>
-    </message>
-    <message>
         <source>Scale from the file</source>
         <translation>Skala z pliku</translation>
     </message>
     <message>
         <source>The size of a pixel that the picture&apos;s file states, as microscopes write it.</source>
         <translation>Rozmiar piksela podany w pliku zdjęcia, tak jak zapisują go mikroskopy.</translation>
+    </message>
+    <message>
+        <source>an end is not seen or undecided; state the length to confirm it (--length-mm)</source>
+        <translation>końca nie widać albo jest nierozstrzygnięty; proszę podać długość, aby go potwierdzić (--length-mm)</translation>
+    </message>
+    <message>
+        <source>blind, depth not known</source>
+        <translation>nieprzelotowy, głębokość nieznana</translation>
+    </message>
+    <message>
+        <source>corners </source>
+        <translation>naroża </translation>
+    </message>
+    <message>
+        <source>NOT EXPLAINED, z {z}</source>
+        <translation>NIEWYJAŚNIONE, z {z}</translation>
+    </message>
+    <message>
+        <source>{kind}, {width} wide, {depth} deep</source>
+        <translation>{kind}, szerokość {width}, głębokość {depth}</translation>
+    </message>
+    <message>
+        <source>italic: as measured; not a specification. ± U: k = 2; no ±: U is not known</source>
+        <translation>kursywa: wartości zmierzone; nie są wymaganiem. ± U: k = 2; bez ±: U nieznane</translation>
+    </message>
+    <message>
+        <source>The length of {length} mm was stated; an end is not seen.</source>
+        <translation>Długość {length} mm podano; końca nie widać.</translation>
+    </message>
+    <message>
+        <source>The drawing has this from z {from_mm:1} to {to_mm:1} mm, and it is not found in the copy: {kind}. Neither the surface nor the sizes of the rows judge it.</source>
+        <translation>Rysunek ma to od z {from_mm:1} do {to_mm:1} mm, a na kopii tego nie znaleziono: {kind}. Nie ocenia tego ani powierzchnia, ani wymiary wierszy.</translation>
+    </message>
+    <message>
+        <source>Marks of the drawing that the copy has too: {count}. Their sizes are not compared.</source>
+        <translation>Elementy z rysunku, które ma też kopia: {count}. Ich wymiarów nie porównano.</translation>
+    </message>
+    <message>
+        <source>Free end not decided: it lies from z {from_mm:3} to {to_mm:3} mm</source>
+        <translation>Wolny koniec nierozstrzygnięty: leży od z {from_mm:3} do {to_mm:3} mm</translation>
+    </message>
+    <message>
+        <source>Chuck end not decided: it lies from z {from_mm:3} to {to_mm:3} mm</source>
+        <translation>Koniec przy uchwycie nierozstrzygnięty: leży od z {from_mm:3} do {to_mm:3} mm</translation>
+    </message>
+    <message>
+        <source>U of its place</source>
+        <translation>U położenia</translation>
+    </message>
+    <message>
+        <source>U of its depth</source>
+        <translation>U głębokości</translation>
+    </message>
+    <message>
+        <source>U of its angle</source>
+        <translation>U kąta</translation>
+    </message>
+    <message>
+        <source>Stated length</source>
+        <translation>Podana długość</translation>
+    </message>
+    <message>
+        <source>By a person, where the scan does not show an end.</source>
+        <translation>Przez człowieka, gdy skan nie pokazuje końca.</translation>
+    </message>
+    <message>
+        <source>{path}: a pattern of {waves} waves in a revolution was found, {least} at the least. Light may double one wave, and less than one is no vibration of the cut: drift, light, a second feed or the scale make it. Whether there is chatter is undecided; photograph more of the circumference.</source>
+        <translation>{path}: znaleziono wzór o {waves} falach na obrót, co najmniej {least}. Światło może podwoić jedną falę, a mniej niż jedna nie jest drganiem przy skrawaniu: powodują ją dryf, światło, drugi posuw albo skala. Czy jest drganie samowzbudne, pozostaje nierozstrzygnięte; proszę sfotografować większą część obwodu.</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of m as measured</source>
+        <translation>Niepewność standardowa zmierzonego m</translation>
+    </message>
+    <message>
+        <source>feed marks, chatter undecided</source>
+        <translation>ślady posuwu, drgania nierozstrzygnięte</translation>
+    </message>
+    <message>
+        <source>Feed marks {pitch} mm apart; whether there is chatter is open.</source>
+        <translation>Ślady posuwu co {pitch} mm; czy są drgania, pozostaje otwarte.</translation>
+    </message>
+    <message>
+        <source>Feed marks {pitch} px apart; whether there is chatter is open.</source>
+        <translation>Ślady posuwu co {pitch} px; czy są drgania, pozostaje otwarte.</translation>
+    </message>
+    <message>
+        <source>Before, {rpm} rpm: whether there is chatter is open.</source>
+        <translation>Przed, {rpm} obr/min: czy są drgania, pozostaje otwarte.</translation>
+    </message>
+    <message>
+        <source>After, {rpm} rpm: whether there is chatter is open.</source>
+        <translation>Po, {rpm} obr/min: czy są drgania, pozostaje otwarte.</translation>
     </message>
 </context>
 <context>

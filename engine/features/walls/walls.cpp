@@ -243,13 +243,24 @@ void eraseMarks(std::vector<Cluster>& clusters)
     });
 }
 
+/// A row of points that the border of two bins divides is one wall: that of more points.
+bool isSameRow(Wall& last, const Wall& wall, double bin_mm)
+{
+    const double dz = wall.z_mm - last.z_mm;
+    if (dz > wallLimits.next_wall_bins * bin_mm || std::abs(wall.r_mm - last.r_mm) > wallLimits.chain_step_mm)
+        return false;
+    if (wall.points > last.points) last = wall;
+    return true;
+}
+
 /// Appends the wall to the chain whose last wall is nearest in radius, or begins a chain.
 void appendWall(std::vector<Chain>& open, const Wall& wall, double bin_mm)
 {
     Chain* best = nullptr;
     double nearest = std::numeric_limits<double>::infinity();
     for (Chain& one : open) {
-        const Wall& last = one.walls.back();
+        Wall& last = one.walls.back();
+        if (isSameRow(last, wall, bin_mm)) return;
         const double dz = wall.z_mm - last.z_mm;
         if (!(dz > wallLimits.next_wall_bins * bin_mm)) continue;
         const double off = std::abs(wall.r_mm - last.r_mm);

@@ -24,7 +24,7 @@ MeridianCloud rowsOnBorders(int split)
                 9 + 0.03 * randomNormal(3, static_cast<std::uint64_t>(row), static_cast<std::uint64_t>(i))));
             cloud.turn.push_back(static_cast<float>((i + 0.5) / points));
         }
-    cloud.z_first_mm = 0;
+    cloud.z_first_mm = -border_mm;
     cloud.z_last_mm = 0.15 * rows;
     cloud.points_per_mm = points / 0.15;
     return cloud;
@@ -39,6 +39,7 @@ TEST(Walls, RowsOnABorderOfBinsAreOneChain)
         EXPECT_NEAR(static_cast<double>(found.size()), 200, 2) << split;
         for (std::size_t i = 0; i + 1 < found.size(); ++i)
             EXPECT_GT(found[i + 1].z_mm - found[i].z_mm, 0.1) << split << " " << i;
+        for (const Wall& wall : found) EXPECT_GT(wall.points, 280) << split << " z " << wall.z_mm;
     }
 }
 

@@ -13,14 +13,14 @@ namespace {
 /// Means of the cells about the median of their ring; NaN where too few points are.
 struct CellMeans {
     std::vector<float> mean_mm;
-    double scatter = 1;  ///< robust standard deviation of mean·√n, over σ; 1 for white noise
+    double scatter = 1;  ///< robust standard deviation of means over their noise; 1 for white noise
 };
 
 CellMeans cellMeans(const ResidualMap& map)
 {
     CellMeans means;
     means.mean_mm.assign(map.cells.size(), std::numeric_limits<float>::quiet_NaN());
-    std::vector<float> ring, weighted;
+    std::vector<float> ring, ratios;
     for (std::size_t row = 0; row < map.rows; ++row) {
         ring.clear();
         for (std::size_t s = 0; s < mapSectors; ++s) {
@@ -33,12 +33,11 @@ CellMeans cellMeans(const ResidualMap& map)
             float& mean = means.mean_mm[row * mapSectors + s];
             if (std::isnan(mean)) continue;
             mean -= middle;
-            weighted.push_back(std::abs(mean) * std::sqrt(static_cast<float>(map.at(row, s).on)));
+            const double noise_mm = std::max(map.noise_mm(map.at(row, s)), 1e-9);
+            ratios.push_back(static_cast<float>(std::abs(static_cast<double>(mean)) / noise_mm));
         }
     }
-    const double sigma = std::max(map.sigma_mm, 1e-6);
-    if (!weighted.empty())
-        means.scatter = std::max(1.0, madToSigma * static_cast<double>(upperMedianInPlace(weighted)) / sigma);
+    if (!ratios.empty()) means.scatter = std::max(1.0, madToSigma * static_cast<double>(upperMedianInPlace(ratios)));
     return means;
 }
 
@@ -52,7 +51,7 @@ std::vector<std::uint8_t> offCells(const ResidualMap& map, double form_mm)
         const MapCell& cell = map.cells[c];
         const bool is_far = cell.far >= structureThresholds.least_far && cell.far > cell.on;
         const double mean = std::abs(static_cast<double>(means.mean_mm[c]));
-        const double noise = means.scatter * map.sigma_mm / std::sqrt(std::max(1.0, static_cast<double>(cell.on)));
+        const double noise = means.scatter * map.noise_mm(cell);
         off[c] = is_far || (mean > form_mm && mean > structureThresholds.sigmas * noise) ? 1 : 0;  // false for NaN
     }
     return off;

@@ -63,6 +63,7 @@ ResidualMap residualMap(const MeridianCloud& cloud, const SurfaceTable& surface,
     map.first_mm = surface.first_mm();
     map.cell_mm = surface.cell_mm();
     map.sigma_mm = outside.sigma_mm;
+    map.spot_mm = outside.spot_mm;
     map.rows = static_cast<std::size_t>((surface.last_mm() - map.first_mm) / map.cell_mm) + 1;
     map.cells.resize(map.rows * mapSectors);
     map.order.resize(map.cells.size());
@@ -87,6 +88,7 @@ ResidualMap residualMap(const MeridianCloud& cloud, const SurfaceTable& surface,
         } else {
             ++cell.on;
             cell.sum_mm += off * place.cosine;
+            cell.sine2 += 1 - place.cosine * place.cosine;
             CellOrder& order = map.order[index];
             const std::size_t part = i * filePasses / cloud.z_mm.size();
             ++order.on[part];

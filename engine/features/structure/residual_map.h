@@ -2,7 +2,9 @@
 // leaves, place by place.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -57,6 +59,7 @@ struct MapCell {
     std::uint32_t on = 0;   ///< number of points on the wall
     std::uint32_t far = 0;  ///< number of points on another surface
     float sum_mm = 0;       ///< sum of the residuals of those on the wall, along the normal
+    float sine2 = 0;        ///< sum of sin² of the angle between normal and radius, of the same points
     float far_sum_mm = 0;   ///< sum of the residuals of the others, along the radius
 };
 
@@ -82,7 +85,14 @@ struct ResidualMap {
     std::vector<MapCell> cells;    ///< by row, then sector
     std::vector<CellOrder> order;  ///< of the same cells
     double sigma_mm = 0;           ///< noise of single points
+    double spot_mm = 0;            ///< a point is read anywhere within this width along z
 
+    /// Standard deviation of the mean residual of a cell from both; the spot counts on slopes.
+    double noise_mm(const MapCell& cell) const
+    {
+        const double n = std::max(1.0, static_cast<double>(cell.on));
+        return std::sqrt(sigma_mm * sigma_mm * n + spot_mm * spot_mm / 12 * static_cast<double>(cell.sine2)) / n;
+    }
     const MapCell& at(std::size_t row, std::size_t sector) const { return cells[row * mapSectors + sector]; }
     std::size_t rowOf(double z_mm) const { return static_cast<std::size_t>((z_mm - first_mm) / cell_mm); }
     double middle_mm(std::size_t row) const { return first_mm + (static_cast<double>(row) + 0.5) * cell_mm; }

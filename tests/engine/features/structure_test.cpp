@@ -6,6 +6,7 @@
 
 #include "engine/core/random.h"
 #include "engine/features/features_codes.h"
+#include "engine/features/structure/map_cells.h"
 #include "engine/features/structure/map_regions.h"
 #include "engine/features/structure/mark_proof.h"
 #include "engine/features/structure/residual_map.h"
@@ -168,6 +169,37 @@ TEST(Structure, RowsOfTheMapFollowItsCells)
     map.cell_mm = 2;
     EXPECT_EQ(map.rowOf(-9), 0U);
     EXPECT_EQ(map.rowOf(9), 9U);
+}
+
+/// On a slope of 45° the spot moves points by up to half its width along z, and so along the radius.
+TEST(Structure, TheSpotIsNoiseOnSlopes)
+{
+    const auto offOf = [](double mean_mm, float sine2, double spot_mm) {
+        ResidualMap map;
+        map.rows = 1;
+        map.sigma_mm = 0.005;
+        map.spot_mm = spot_mm;
+        map.cells.assign(mapSectors, {.on = 16, .sine2 = 16 * sine2});
+        map.cells[30].sum_mm = static_cast<float>(16 * mean_mm);
+        const std::vector<std::uint8_t> off = offCells(map, 0.02);
+        return std::count(off.begin(), off.end(), 1);
+    };
+    // Standard deviations of the mean: 1.25 µm on a cylinder, √(0.005² + 0.15²/24)/4 = 7.8 µm on the slope.
+    EXPECT_EQ(offOf(0.03, 0, 0.15), 1);
+    EXPECT_EQ(offOf(0.03, 0.5F, 0), 1);
+    EXPECT_EQ(offOf(0.03, 0.5F, 0.15), 0);
+    EXPECT_EQ(offOf(0.05, 0.5F, 0.15), 1);
+}
+
+TEST(Structure, ChamfersOfAQuietScanHaveNone)
+{
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        sample::ScannerModel scanner = coarser(seed);
+        scanner.sigma_mm = 0.005;
+        const Recognition result =
+            recognize(shapedScan(collarPart(), scanner, [](const AroundPoint& p) { return p.r_mm; }), {});
+        EXPECT_TRUE(result.unexplained.empty()) << seed;
+    }
 }
 
 TEST(Structure, PatchesWithoutPointsAreNoHoles)

@@ -281,7 +281,7 @@ INSTANTIATE_TEST_SUITE_P(NotRound, CutEnds,
                                                 [](double a) { return onPolygon_mm(6, 9, a); }},
                                          CutEnd{"SplineWithRootsBelow", MarkKind::Spline, true, 1, teethOf(10, 10.5)},
                                          CutEnd{"SplineWithRootsCut", MarkKind::Spline, false, 1, teethOf(12, 11.8)}),
-                         [](const testing::TestParamInfo<CutEnd>& info) { return info.param.name; });
+                         [](const testing::TestParamInfo<CutEnd>& one) { return one.param.name; });
 
 /// Gaps that sink with the chamfer lie on no shape that is known: the end stays uncertain.
 TEST(NotRound, AnEndThatIsNotExplainedIsUncertain)

@@ -251,7 +251,7 @@ const std::vector<Field<Shaft>>& fieldsOf(const Shaft*)
         field("general_tolerance", &Shaft::general_tolerance,
               folded(LT_TEXT("Engine", "General tolerance"), LT_TEXT("Engine", "Such as ISO 2768-m."))),
         within(&Shaft::recovered, "recovered_from_scan"), within(&Shaft::recovered, "recovered_from_sha256"),
-        within(&Shaft::recovered, "recovered_by_method"));
+        within(&Shaft::recovered, "recovered_by_method"), within(&Shaft::recovered, "recovered_stated_length_mm"));
     return all;
 }
 

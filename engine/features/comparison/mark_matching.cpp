@@ -43,7 +43,10 @@ Notes notesOfMarks(const Shaft& nominal, const Recognition& measured, const Eige
             ++found;
         else
             notes.push_back({notes::markNotFound,
-                             {{"kind", nameOf(drawn)}, {"from_mm", *drawn.z_start_mm}, {"to_mm", *drawn.z_end_mm}}});
+                             {{"kind", nameOf(drawn)},
+                              {"found", key(drawn)},
+                              {"from_mm", *drawn.z_start_mm},
+                              {"to_mm", *drawn.z_end_mm}}});
     }
     if (found > 0) notes.push_back({notes::marksNotCompared, {{"count", found}}});
     return notes;

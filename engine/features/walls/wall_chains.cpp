@@ -28,10 +28,12 @@ Wall joined(const Wall& a, const Wall& b)
     return wall;
 }
 
-/// Nearer to each other than neighbouring bins of a dense scan.
+/// Too near to each other for two rows, or one of them a few points at the edge of the other.
 bool areOneRow(const Wall& last, const Wall& wall, double bin_mm)
 {
-    return wall.z_mm - last.z_mm < wallLimits.one_row_bins * bin_mm &&
+    const double dz = wall.z_mm - last.z_mm;
+    const bool has_few = std::min(last.points, wall.points) < wallLimits.few_share * std::max(last.points, wall.points);
+    return dz < (has_few ? wallLimits.one_row_bins : wallLimits.next_wall_bins) * bin_mm &&
            std::abs(wall.r_mm - last.r_mm) < wallLimits.chain_step_mm;
 }
 

@@ -43,7 +43,8 @@ struct WallLimits {
     double least_coverage_share = 0.35;  ///< of the usual coverage: clusters with less are dropped
 
     // Chains of walls.
-    double one_row_bins = 0.45;         ///< walls nearer along the axis are one row of points on the border of two bins
+    double few_share = 0.1;             ///< of the points of a neighbour: less may be the edge of its row of points
+    double one_row_bins = 0.45;         ///< walls nearer along the axis than this are one row, where one has few points
     double next_wall_bins = 0.2;        ///< least distance of the next wall along the axis
     double chain_step_mm = 0.12;        ///< largest change of the radius between neighbours, of noise
     double chain_slope = 1.3;           ///< the same for each mm along the axis: more than a chamfer of 45°

@@ -55,8 +55,10 @@ TEST(Ends, RowsWiderThanTheTilt)
 {
     // 2 R tilt is 0.03 to 0.14 mm: all rays may end in one row, which the edge of a window would do too.
     for (const double pitch_mm : {0.1, 0.15, 0.2})
-        for (const double tilt_deg : {0.0, 0.1, 0.3})
+        for (const double tilt_deg : {0.0, 0.1, 0.3}) {
+            SCOPED_TRACE(testing::Message() << "pitch " << pitch_mm << " mm, tilt " << tilt_deg << "°");
             expectLength(recognize(scanShaft(steppedPart(true), rows(pitch_mm, tilt_deg, 5)), {}), 92, "chamfer");
+        }
 }
 
 TEST(Ends, APlainEdgeBetweenRows)

@@ -24,7 +24,9 @@ void dropUndetermined(Recognition& result)
         {&U::start_diameter_um, LT_TEXT("Engine", "start diameter")},
         {&U::end_diameter_um, LT_TEXT("Engine", "end diameter")},
         {&U::arc_radius_um, LT_TEXT("Engine", "radius")}};
-    for (std::size_t i = 0; i < result.segments.size(); ++i)
+    for (std::size_t i = 0; i < result.segments.size(); ++i) {
+        std::optional<double>& angle_deg = result.segments[i].uncertainty.angle_deg;
+        if (angle_deg > recognitionLimits.unsure_angle_deg) angle_deg.reset();
         for (const auto& [member, name] : sizes) {
             std::optional<double>& stated_um = result.segments[i].uncertainty.*member;
             double most_um = recognitionLimits.unsure_um;
@@ -37,6 +39,7 @@ void dropUndetermined(Recognition& result)
                  {{"row", static_cast<std::int64_t>(i) + 1}, {"size", name}, {"uncertainty_mm", 1e-3 * *stated_um}}});
             stated_um.reset();
         }
+    }
 }
 
 }  // namespace

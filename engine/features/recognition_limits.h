@@ -32,6 +32,7 @@ struct RecognitionLimits {
 
     // Rows where noise is correlated or passes differ.
     double unsure_um = 1000;            ///< a size with a larger U is not determined,
+    double unsure_angle_deg = 45;       ///< nor the angle of a cone, and then its length is not either
     double unsure_radius_share = 0.05;  ///< nor a radius when it is this share of the radius as well
     double coverage_factor = 2;         ///< of the shared errors that a row has to exceed
     double unproven_jump_u = 2.5;       ///< five standard errors: a lower jump between cylinders may be chance

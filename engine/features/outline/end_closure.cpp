@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include "engine/core/units.h"
 #include "engine/features/features_codes.h"
@@ -17,6 +19,24 @@ struct EndShape {
     const char* name = "edge";
     double log_ratio = 0;
 };
+
+/// Distance of the rows of points near an end: that of the larger gaps between walls, since a row that leans is
+/// several.
+double rowPitch_mm(const Run& run, bool start)
+{
+    const std::size_t n = run.walls.size(), count = std::min(closureLimits.walls_for_pitch, n);
+    std::vector<double> z;
+    for (std::size_t i = 0; i < count; ++i) z.push_back(start ? run.walls[i].z_mm : -run.walls[n - 1 - i].z_mm);
+    double largest = 0, pitch = 0;
+    for (std::size_t i = 0; i + 1 < count; ++i) largest = std::max(largest, z[i + 1] - z[i]);
+    std::optional<double> before;
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        if (z[i + 1] - z[i] < closureLimits.gap_share * largest) continue;
+        if (before) pitch = std::max(pitch, z[i] - *before);
+        before = z[i];
+    }
+    return std::max(largest, pitch);
+}
 
 /// A short chamfer or round is where most parts end, and where few of all places along a part lie.
 EndShape shapeAt(const Model& model, bool start)
@@ -42,6 +62,8 @@ EndShape shapeAt(const Model& model, bool start)
         if (half_angle_deg < closureLimits.chamfer_half_angle_deg) return shape;
         shape.name = "chamfer";
     }
+    // One row of points may be one of any shape.
+    if (along < closureLimits.least_rows * rowPitch_mm(run, start)) return shape;
     const double least = std::max(closureLimits.least_drop_mm, closureLimits.least_drop_sigmas * model.sigma_mm);
     if (drop < least || along < closureLimits.least_length_mm) return shape;
     shape.log_ratio = std::max(0.0, std::log(closureLimits.shaped_ends * whole / along));
@@ -82,6 +104,14 @@ EndClosure closureOf(const Outline& outline, bool start, double variance_ratio)
         if (end && found.state == EndState::Undecided) {
             found.from_mm = std::min(end->from_mm, plane.z_mm);
             found.to_mm = std::max(end->to_mm, plane.z_mm);
+        }
+        // Where no ray passed the end it may lie anywhere up to the next row.
+        if (found.state == EndState::Undecided) {
+            const double pitch_mm = rowPitch_mm(start ? outline.model.runs.front() : outline.model.runs.back(), start);
+            if (start)
+                found.from_mm = std::min(found.from_mm, found.to_mm - pitch_mm);
+            else
+                found.to_mm = std::max(found.to_mm, found.from_mm + pitch_mm);
         }
     }
     return found;

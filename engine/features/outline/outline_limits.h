@@ -109,6 +109,9 @@ struct ClosureLimits {
     double least_drop_sigmas = 3;        ///< a chamfer or round that is lower may be noise
     double least_drop_mm = 0.05;         ///< and so may one below this
     double least_length_mm = 0.25;       ///< or shorter
+    double least_rows = 2;               ///< distances of rows of points that it holds
+    std::size_t walls_for_pitch = 12;    ///< at the end, for that distance
+    double gap_share = 0.5;              ///< of the largest gap between these walls: a larger one is between rows
     double reading_mm = 0.02;            ///< of a calliper (DIN 862): a stated length may be off by so much
 };
 

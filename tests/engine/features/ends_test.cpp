@@ -61,6 +61,20 @@ TEST(Ends, RowsWiderThanTheTilt)
         }
 }
 
+/// One row of rays on a chamfer may be one of any shape, and the part may go on up to where the next row would be.
+TEST(Ends, AChamferInOneRowIsUndecided)
+{
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        const Recognition r = recognize(scanShaft(steppedPart(true), rows(1.0, 0.3, seed)), {});
+        ASSERT_EQ(r.ends.size(), 2U);
+        EXPECT_FALSE(r.length_mm);
+        ASSERT_TRUE(r.ends[0].span_mm && r.ends[1].span_mm);
+        EXPECT_LT(r.ends[1].span_mm->from - r.ends[0].span_mm->to, 92);
+        EXPECT_GT(r.ends[1].span_mm->to - r.ends[0].span_mm->from, 92);
+    }
+}
+
 TEST(Ends, APlainEdgeBetweenRows)
 {
     // Rays of the last row pass the edge within the spot: some hit, some do not.

@@ -176,8 +176,8 @@ private:
         const bool measured = texts_.isMeasured(leg);
         const std::string length = measured ? texts_.part(leg) : number(row.length_mm(), 2);
         // Between two values with ± the sign needs air.
-        const bool has_U = measured && (leg.U_um || known[row.index].angle_deg);
-        return texts_.composed(length + (has_U ? " × " : "×") +
+        const bool has_uncertainty = measured && (leg.U_um || known[row.index].angle_deg);
+        return texts_.composed(length + (has_uncertainty ? " × " : "×") +
                                    texts_.withUnit(row.angle_deg(), known[row.index].angle_deg, measured, 1, "°"),
                                leg);
     }

@@ -186,10 +186,10 @@ private:
             std::abs(*floor) >= radius)
             return false;
         CrossSection& section = sectionAt(*mark.z_start_mm, *mark.z_end_mm);
-        const Expanded across_U = joined(mark.depth_uncertainty_mm, radiusUncertainty_mm(middle(mark)));
+        const Expanded across_uncertainty_mm = joined(mark.depth_uncertainty_mm, radiusUncertainty_mm(middle(mark)));
         section.slots.push_back({turn(mark), *mark.width_mm, *floor,
                                  sizeText(mark, {}, *mark.width_mm, mark.uncertainty_mm),
-                                 sizeText(mark, {}, radius + *floor, across_U), angleText(mark)});
+                                 sizeText(mark, {}, radius + *floor, across_uncertainty_mm), angleText(mark)});
         const Size length =
             size(mark, *mark.z_end_mm - *mark.z_start_mm, joined(mark.place_uncertainty_mm, mark.place_uncertainty_mm));
         section.captions.push_back(

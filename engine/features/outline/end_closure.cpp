@@ -101,18 +101,17 @@ EndClosure closureOf(const Outline& outline, bool start, double variance_ratio)
             found.state = EndState::Part;
         else if (evidence <= -closureLimits.decisive)
             found.state = EndState::Data;
-        if (end && found.state == EndState::Undecided) {
+        if (found.state != EndState::Undecided) return found;
+        if (end) {
             found.from_mm = std::min(end->from_mm, plane.z_mm);
             found.to_mm = std::max(end->to_mm, plane.z_mm);
         }
         // Where no ray passed the end it may lie anywhere up to the next row.
-        if (found.state == EndState::Undecided) {
-            const double pitch_mm = rowPitch_mm(start ? outline.model.runs.front() : outline.model.runs.back(), start);
-            if (start)
-                found.from_mm = std::min(found.from_mm, found.to_mm - pitch_mm);
-            else
-                found.to_mm = std::max(found.to_mm, found.from_mm + pitch_mm);
-        }
+        const double pitch_mm = rowPitch_mm(start ? outline.model.runs.front() : outline.model.runs.back(), start);
+        if (start)
+            found.from_mm = std::min(found.from_mm, found.to_mm - pitch_mm);
+        else
+            found.to_mm = std::max(found.to_mm, found.from_mm + pitch_mm);
     }
     return found;
 }

@@ -49,6 +49,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
       openSaved_(new QToolButton),
       ordinaryFont_(QApplication::font())
 {
+    session_.setPlaces(placesOf(panels));
     useStartingValues();
     setAcceptDrops(true);
     setDockNestingEnabled(true);

@@ -44,11 +44,9 @@ std::vector<PanelFacts> withSteps(std::vector<PanelFacts> table)
 
 const std::vector<PanelFacts>& panelTable()
 {
-    static const std::vector<PanelFacts> table{compare_panel::comparePanelFacts(),
-                                               roundness_panel::roundnessPanelFacts(),
-                                               trajectory_panel::trajectoryPanelFacts(),
-                                               longitudinal_panel::longitudinalPanelFacts(),
-                                               cylindricity_panel::cylindricityPanelFacts(),
+    // In the order of the work: what is free in a question comes from earlier ones.
+    static const std::vector<PanelFacts> table{recognise_panel::recognisePanelFacts(),
+                                               drawing_panel::drawingPanelFacts(),
                                                shaft_panel::shaftPanelFacts(),
                                                machine_panel::machinePanelFacts(),
                                                tap_panel::tapPanelFacts(),
@@ -56,15 +54,18 @@ const std::vector<PanelFacts>& panelTable()
                                                lobes_panel::lobesPanelFacts(),
                                                pass_panel::passPanelFacts(),
                                                speed_panel::speedPanelFacts(),
+                                               turning_panel::turningPanelFacts(),
                                                program_panel::programPanelFacts(),
                                                deflection_panel::deflectionPanelFacts(),
                                                correction_panel::correctionPanelFacts(),
-                                               recognise_panel::recognisePanelFacts(),
-                                               drawing_panel::drawingPanelFacts(),
-                                               turning_panel::turningPanelFacts(),
+                                               compare_panel::comparePanelFacts(),
+                                               chain_panel::chainPanelFacts(),
+                                               roundness_panel::roundnessPanelFacts(),
+                                               trajectory_panel::trajectoryPanelFacts(),
+                                               longitudinal_panel::longitudinalPanelFacts(),
+                                               cylindricity_panel::cylindricityPanelFacts(),
                                                surface_panel::surfacePanelFacts(),
-                                               training_panel::trainingPanelFacts(),
-                                               chain_panel::chainPanelFacts()};
+                                               training_panel::trainingPanelFacts()};
     static const std::vector<PanelFacts> with_steps = withSteps(table);
     return with_steps;
 }

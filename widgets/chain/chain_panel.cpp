@@ -118,7 +118,7 @@ ChainPanel::Compute ChainPanel::compute(const project::PanelState& state) const
 {
     fromValues<chain::ChainSettings>(state.parameters);  // validates ranges before the computation
     return [state, stores = session().sharedStores()](const Progress& progress) {
-        return chain::chainOutcome(state, *stores, progress);
+        return std::make_shared<const chain::ChainOutcome>(chain::chainOutcome(state, *stores, progress));
     };
 }
 

@@ -59,12 +59,13 @@ PanelFacts comparePanelFacts()
     facts.kinds = {&io::scanFiles()};  // a drawing opens the panels of shafts
     facts.item_inputs.clear();         // likewise
     facts.part_inputs = {cad::copyRole, cad::copiesRole};
+    facts.answer = answeredBy(compareForViews);
     facts.make = [](Session& session) -> PanelBase* { return new ComparePanel(session); };
     return facts;
 }
 
 ComparePanel::ComparePanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, cad::compareTask(), compareForViews, comparePanelFacts(), panelInputs(), parent),
+    : TaskPanel(owner, comparePanelFacts(), panelInputs(), parent),
       views_(new CompareViews)
 {
     setViews(views_, views_->primaryViews());

@@ -74,7 +74,11 @@ QString screenFileName(const QString& path)
 }
 QString screenText(const Error& error)
 {
-    return QString::fromStdString(text(error, screenLanguage()));
+    const QString sentence = QString::fromStdString(text(error, screenLanguage()));
+    // of an earlier question, on which this one rests (engine/part)
+    const Value* const place = find(error.values(), "of_place");
+    const auto* const title = place ? std::get_if<Text>(place) : nullptr;
+    return title ? screenText(*title) + QStringLiteral(": ") + sentence : sentence;
 }
 QString screenText(const Note& note)
 {

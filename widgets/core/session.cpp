@@ -85,6 +85,7 @@ void Session::assign(const project::Project& project)
     project_ = project;
     project_.workspace = workspace;
     project_.views = views;
+    walk_.reset();
     emit changed();
 }
 
@@ -96,6 +97,8 @@ void Session::replace(project::ProjectFile file, const QString& path)
     undo_.clear();
     ++opened_;
     project_ = std::move(file.project);
+    ++generation_;
+    walk_.reset();
     path_ = path;
     sha256_ = std::move(file.sha256);
     emit pathChanged();
@@ -164,8 +167,30 @@ void Session::saveCopy(const QString& path) const
 void Session::takeNewFiles()
 {
     const bool any = stores_->forgetChanged();
+    ++generation_;
+    walk_.reset();
     watch_->clear();
     if (any) emit filesTaken();
+}
+
+void Session::setPlaces(std::vector<walk::Place> places)
+{
+    places_ = std::move(places);
+    walk_.reset();
+}
+
+void Session::setSupply(walk::Supply supply)
+{
+    if (supply.digest == supply_.digest) return;
+    supply_ = std::move(supply);
+    walk_.reset();
+    emit changed();
+}
+
+std::shared_ptr<const walk::Walk> Session::walk() const
+{
+    if (!walk_) walk_ = std::make_shared<const walk::Walk>(project_, places_, supply_, stores_, generation_);
+    return walk_;
 }
 
 project::Project Session::forDisk() const

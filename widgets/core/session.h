@@ -6,6 +6,7 @@
 #include <QUndoStack>
 #include <functional>
 
+#include "engine/walk/walk.h"
 #include "engine/project/project.h"
 #include "engine/project/recipe.h"
 #include "engine/task/stores.h"
@@ -82,6 +83,13 @@ public:
     Stores& stores() const { return *stores_; }
     std::shared_ptr<Stores> sharedStores() const { return stores_; }
 
+    /// The places of a part, in the order of the work, and what it is made with.
+    void setPlaces(std::vector<walk::Place> places);
+    void setSupply(walk::Supply supply);  ///< panels that use it recompute
+
+    /// The walk through the part as the project now is; jobs hold shared ownership.
+    std::shared_ptr<const walk::Walk> walk() const;
+
     /// Stops the computations of all panels that work on this state.
     void stop(const std::string& state) { emit stopRequested(state); }
 
@@ -107,6 +115,10 @@ private:
     int opened_ = 0;
     QUndoStack undo_;
     std::shared_ptr<Stores> stores_;
+    std::vector<walk::Place> places_;
+    walk::Supply supply_;
+    int generation_ = 0;                             ///< counts how often changed files were taken
+    mutable std::shared_ptr<const walk::Walk> walk_;  ///< null: the project has changed since
     SourceWatch* watch_;
 };
 

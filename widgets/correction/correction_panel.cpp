@@ -41,12 +41,13 @@ PanelFacts correctionPanelFacts()
         factsOf(deflection::deflectionTask(), "correction", "correction", roles, {{deflection::compensateExport}},
                 {{"band", false}, {"sensitivities", false}, {"feed", false}, {"map", false}}));
     facts.title = LT_TEXT("Engine", "Correction");
+    facts.answer = answeredBy(correct);
     facts.make = [](Session& session) -> PanelBase* { return new CorrectionPanel(session); };
     return facts;
 }
 
 CorrectionPanel::CorrectionPanel(Session& owner, QWidget* parent)
-    : TurningPanel(owner, deflection::deflectionTask(), correct, correctionPanelFacts(), panelInputs(), parent),
+    : TurningPanel(owner, correctionPanelFacts(), panelInputs(), parent),
       views_(new CorrectionViews)
 {
     setViews(views_, views_->primaryViews());

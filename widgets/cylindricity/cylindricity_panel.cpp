@@ -28,12 +28,13 @@ PanelFacts cylindricityPanelFacts()
 {
     PanelFacts facts = factsOf(form::cylindricityTask(), "cylindricity", "cylindricity", roles, {});
     facts.part_inputs = roles;
+    facts.answer = answeredBy(form::answerCylindricity);
     facts.make = [](Session& session) -> PanelBase* { return new CylindricityPanel(session); };
     return facts;
 }
 
 CylindricityPanel::CylindricityPanel(Session& session, QWidget* parent)
-    : TaskPanel(session, form::cylindricityTask(), form::answerCylindricity, cylindricityPanelFacts(), panelInputs(),
+    : TaskPanel(session, cylindricityPanelFacts(), panelInputs(),
                 parent),
       views_(new CylindricityViews)
 {

@@ -38,12 +38,13 @@ PanelFacts deflectionPanelFacts()
 {
     PanelFacts facts = deflection_common::turningFacts(
         factsOf(deflection::deflectionTask(), "deflection", "deflection", roles, {}, begins_with));
+    facts.answer = answeredBy(predict);
     facts.make = [](Session& session) -> PanelBase* { return new DeflectionPanel(session); };
     return facts;
 }
 
 DeflectionPanel::DeflectionPanel(Session& owner, QWidget* parent)
-    : TurningPanel(owner, deflection::deflectionTask(), predict, deflectionPanelFacts(), panelInputs(), parent),
+    : TurningPanel(owner, deflectionPanelFacts(), panelInputs(), parent),
       views_(new DeflectionViews)
 {
     setViews(views_, views_->primaryViews());

@@ -30,12 +30,15 @@ PanelFacts frfPanelFacts()
 {
     PanelFacts facts = factsOf(modesTask(), "frf", "frf", roles, {});
     facts.part_inputs = {responseRole};
+    facts.gives = {frfItem};
+    facts.may_give = [](const project::PanelState& state) { return state.inputs.count(responseRole) > 0; };
+    facts.answer = answeredBy(receptance::answerModes);
     facts.make = [](Session& session) -> PanelBase* { return new FrfPanel(session); };
     return facts;
 }
 
 FrfPanel::FrfPanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, modesTask(), receptance::answerModes, frfPanelFacts(), panelInputs(), parent),
+    : TaskPanel(owner, frfPanelFacts(), panelInputs(), parent),
       views_(new FrfViews)
 {
     setViews(views_, views_->primaryViews());

@@ -41,12 +41,15 @@ PanelFacts lobesPanelFacts()
 {
     PanelFacts facts = factsOf(stability::lobesTask(), "lobes", "chatter", roles, {});
     facts.part_inputs = roles;
+    facts.fills = {stability::spindleRole};
+    facts.takes_held = true;
+    facts.answer = answeredBy(stability::answerLobes);
     facts.make = [](Session& session) -> PanelBase* { return new LobesPanel(session); };
     return facts;
 }
 
 LobesPanel::LobesPanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, stability::lobesTask(), stability::answerLobes, lobesPanelFacts(), panelInputs(), parent),
+    : TaskPanel(owner, lobesPanelFacts(), panelInputs(), parent),
       views_(new LobesViews)
 {
     setViews(views_, views_->primaryViews());

@@ -25,12 +25,13 @@ PanelFacts longitudinalPanelFacts()
 {
     PanelFacts facts = trajectory_common::spindleFacts(
         factsOf(trajectory::trajectoryTask(), "longitudinal", "longitudinal", roles, {}));
+    facts.answer = answeredBy(trajectory::answerTrajectory);
     facts.make = [](Session& session) -> PanelBase* { return new LongitudinalPanel(session); };
     return facts;
 }
 
 LongitudinalPanel::LongitudinalPanel(Session& owner, QWidget* parent)
-    : SpindlePanel(owner, trajectory::trajectoryTask(), trajectory::answerTrajectory, longitudinalPanelFacts(),
+    : SpindlePanel(owner, longitudinalPanelFacts(),
                    panelInputs(), parent),
       views_(new LongitudinalViews(markedAngle()))
 {

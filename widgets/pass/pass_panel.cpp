@@ -69,12 +69,15 @@ PanelFacts passPanelFacts()
     facts.roles = passRoles();
     facts.missing = missingOfPass;
     facts.has_work = {};
+    facts.fills = {stability::shaftRole, stability::spindleRole};
+    facts.takes_held = true;
+    facts.answer = answeredBy(overPass);
     facts.make = [](Session& session) -> PanelBase* { return new PassPanel(session); };
     return facts;
 }
 
 PassPanel::PassPanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, stability::lobesTask(), overPass, passPanelFacts(), panelInputs(), parent), views_(new PassViews)
+    : TaskPanel(owner, passPanelFacts(), panelInputs(), parent), views_(new PassViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &PassViews::pointMoved, this, &PassPanel::movePoint);

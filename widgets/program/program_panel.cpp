@@ -39,12 +39,13 @@ PanelFacts programPanelFacts()
 {
     PanelFacts facts =
         deflection_common::turningFacts(factsOf(deflection::toolpathTask(), "program", "program", roles, {}));
+    facts.answer = answeredBy(deflection::answerToolpath);
     facts.make = [](Session& session) -> PanelBase* { return new ProgramPanel(session); };
     return facts;
 }
 
 ProgramPanel::ProgramPanel(Session& owner, QWidget* parent)
-    : TurningPanel(owner, deflection::toolpathTask(), deflection::answerToolpath, programPanelFacts(), panelInputs(),
+    : TurningPanel(owner, programPanelFacts(), panelInputs(),
                    parent),
       views_(new ProgramViews)
 {

@@ -40,12 +40,14 @@ PanelFacts recognisePanelFacts()
 {
     PanelFacts facts = factsOf(cad::recognizeTask(), "recognise", "recognise", roles, {});
     facts.part_inputs = roles;
+    facts.gives = {shaftItem};
+    facts.answer = answeredBy(recogniseAndPart);
     facts.make = [](Session& session) -> PanelBase* { return new RecognisePanel(session); };
     return facts;
 }
 
 RecognisePanel::RecognisePanel(Session& session, QWidget* parent)
-    : TaskPanel(session, cad::recognizeTask(), recogniseAndPart, recognisePanelFacts(), panelInputs(), parent),
+    : TaskPanel(session, recognisePanelFacts(), panelInputs(), parent),
       views_(new RecogniseViews)
 {
     setViews(views_, views_->primaryViews());

@@ -35,12 +35,13 @@ PanelFacts roundnessPanelFacts()
     PanelFacts facts =
         trajectory_common::spindleFacts(factsOf(trajectory::roundnessTask(), "roundness", "roundness", roles, {}));
     facts.roles = roundnessRoles();
+    facts.answer = answeredBy(showRoundness);
     facts.make = [](Session& session) -> PanelBase* { return new RoundnessPanel(session); };
     return facts;
 }
 
 RoundnessPanel::RoundnessPanel(Session& owner, QWidget* parent)
-    : SpindlePanel(owner, trajectory::roundnessTask(), showRoundness, roundnessPanelFacts(), panelInputs(), parent),
+    : SpindlePanel(owner, roundnessPanelFacts(), panelInputs(), parent),
       views_(new RoundnessViews(markedAngle()))
 {
     setViews(views_, views_->primaryViews());

@@ -44,12 +44,15 @@ PanelFacts speedPanelFacts()
         return is_there ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "Spindle")};
     };
     facts.has_work = {};
+    facts.fills = {stability::spindleRole};
+    facts.takes_held = true;
+    facts.answer = answeredBy(stability::answerSpeed);
     facts.make = [](Session& session) -> PanelBase* { return new SpeedPanel(session); };
     return facts;
 }
 
 SpeedPanel::SpeedPanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, stability::speedTask(), stability::answerSpeed, speedPanelFacts(), panelInputs(), parent),
+    : TaskPanel(owner, speedPanelFacts(), panelInputs(), parent),
       views_(new SpeedViews)
 {
     setViews(views_, views_->primaryViews());

@@ -37,6 +37,8 @@ bool isThere(const project::PanelState& state)
 PanelFacts machinePanelFacts()
 {
     PanelFacts facts = factsOf(receptance::spindleTask(), "spindle", "spindle", roles, {});
+    facts.gives = {receptance::spindleItem};
+    facts.answer = answeredBy(receptance::answerSpindle);
     facts.make = [](Session& session) -> PanelBase* { return new MachinePanel(session); };
     facts.missing = [](const project::PanelState& state) {
         return isThere(state) ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "Tap tests or springs")};
@@ -46,7 +48,7 @@ PanelFacts machinePanelFacts()
 }
 
 MachinePanel::MachinePanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, receptance::spindleTask(), receptance::answerSpindle, machinePanelFacts(), panelInputs(),
+    : TaskPanel(owner, machinePanelFacts(), panelInputs(),
                 parent),
       views_(new MachineViews)
 {

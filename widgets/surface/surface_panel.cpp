@@ -75,6 +75,7 @@ PanelFacts surfacePanelFacts()
     facts.item_inputs.clear();          // likewise
     facts.roles = shownRoles();
     facts.part_inputs = {surface::beforeRole, surface::afterRole};
+    facts.answer = answeredBy(answerAndPrepare);
     facts.make = [](Session& session) -> PanelBase* { return new SurfacePanel(session); };
     facts.missing = [](const project::PanelState& state) {
         std::vector<Text> labels;
@@ -86,7 +87,7 @@ PanelFacts surfacePanelFacts()
 }
 
 SurfacePanel::SurfacePanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, surface::surfaceTask(), answerAndPrepare, surfacePanelFacts(), panelInputs(), parent),
+    : TaskPanel(owner, surfacePanelFacts(), panelInputs(), parent),
       views_(new SurfaceViews)
 {
     setViews(views_, views_->primaryViews());

@@ -29,12 +29,14 @@ PanelFacts tapPanelFacts()
 {
     PanelFacts facts = factsOf(tapTask(), "tap", "tap", roles, {});
     facts.part_inputs = roles;
+    facts.gives = {frfItem};
+    facts.answer = answeredBy(receptance::answerTap);
     facts.make = [](Session& session) -> PanelBase* { return new TapPanel(session); };
     return facts;
 }
 
 TapPanel::TapPanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, tapTask(), receptance::answerTap, tapPanelFacts(), panelInputs(), parent), views_(new TapViews)
+    : TaskPanel(owner, tapPanelFacts(), panelInputs(), parent), views_(new TapViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &TapViews::responseRequested, this, [this] { offer(frfItem); });

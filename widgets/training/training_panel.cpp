@@ -48,12 +48,13 @@ PanelFacts trainingPanelFacts()
     PanelFacts facts = factsOf(training::trainingTask(), "training", "training", roles, {});
     facts.kinds.push_back(&training::lessonFiles());
     facts.has_work = isTouched;
+    facts.answer = answeredBy(training::answerTraining);
     facts.make = [](Session& session) -> PanelBase* { return new TrainingPanel(session); };
     return facts;
 }
 
 TrainingPanel::TrainingPanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, training::trainingTask(), training::answerTraining, trainingPanelFacts(), panelInputs(), parent),
+    : TaskPanel(owner, trainingPanelFacts(), panelInputs(), parent),
       frames_(new FrameWriter(this)),
       views_(new TrainingViews),
       tour_(new TourPane),

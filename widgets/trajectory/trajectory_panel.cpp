@@ -26,12 +26,13 @@ PanelFacts trajectoryPanelFacts()
 {
     PanelFacts facts =
         trajectory_common::spindleFacts(factsOf(trajectory::motionTask(), "trajectory", "trajectory", roles, {}));
+    facts.answer = answeredBy(trajectory::answerMotion);
     facts.make = [](Session& session) -> PanelBase* { return new TrajectoryPanel(session); };
     return facts;
 }
 
 TrajectoryPanel::TrajectoryPanel(Session& owner, QWidget* parent)
-    : SpindlePanel(owner, trajectory::motionTask(), trajectory::answerMotion, trajectoryPanelFacts(), panelInputs(),
+    : SpindlePanel(owner, trajectoryPanelFacts(), panelInputs(),
                    parent),
       views_(new TrajectoryViews(markedAngle()))
 {

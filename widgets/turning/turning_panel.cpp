@@ -52,6 +52,9 @@ PanelFacts turningPanelFacts()
     facts.kinds = {&cam::jobFiles()};
     facts.roles = panelInputs().roles;
     facts.part_inputs = {cam::partRole, cam::programRole};
+    facts.gives = {gcode::programItem};
+    facts.fills = {cam::jobRole, cam::spindleRole};
+    facts.answer = answeredBy(cam::turningOutcome);
     facts.make = [](Session& session) -> PanelBase* { return new TurningPanel(session); };
     facts.missing = missingInputs;
     facts.has_work = [](const project::PanelState& state) { return missingInputs(state).empty(); };
@@ -64,7 +67,7 @@ PanelFacts turningPanelFacts()
 }
 
 TurningPanel::TurningPanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, cam::turnTask(), cam::turningOutcome, turningPanelFacts(), panelInputs(), parent),
+    : TaskPanel(owner, turningPanelFacts(), panelInputs(), parent),
       views_(new TurningViews)
 {
     setViews(views_, views_->primaryViews());

@@ -76,7 +76,8 @@ protected:
                 part.report(0.5);
                 std::this_thread::sleep_for(std::chrono::milliseconds(5));
             }
-            return FakeResult{static_cast<double>(file.size()) * parameters.factor_mm, parameters};
+            return std::make_shared<const FakeResult>(
+                FakeResult{static_cast<double>(file.size()) * parameters.factor_mm, parameters});
         };
     }
     void showResult(const std::shared_ptr<const FakeResult>& result) override

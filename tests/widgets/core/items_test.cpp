@@ -30,7 +30,7 @@ protected:
     Compute compute(const project::PanelState& state) const override
     {
         const auto shaft = fromValues<Shaft>(state.items.at("shaft").values);
-        return [length_mm = shaft.length_mm()](const Progress&) { return length_mm; };
+        return [length_mm = shaft.length_mm()](const Progress&) { return std::make_shared<const double>(length_mm); };
     }
     void showResult(const std::shared_ptr<const double>& result) override { view_->setText(QString::number(*result)); }
     report::Answer answer(const double&) const override { return {}; }

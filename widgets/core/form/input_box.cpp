@@ -118,6 +118,12 @@ void InputBox::setItems(const std::vector<ItemOffer>& items)
     refresh();
 }
 
+void InputBox::setTaken(const walk::Taken* taken)
+{
+    taken_ = taken ? std::optional(*taken) : std::nullopt;
+    refresh();
+}
+
 void InputBox::setUnderstood(const QString& text)
 {
     understood_ = text;
@@ -157,8 +163,11 @@ void InputBox::refresh()
         paths << (item.isEmpty() ? QString::fromStdString(source.path) : tr("“%1” of this project").arg(item));
         names << (item.isEmpty() ? screenFileName(paths.back()) : paths.back());
     }
+    if (taken_ && there)
+        names = paths = QStringList{taken_->is_assumed ? tr("from the shop (assumed)")
+                                                       : tr("from “%1”").arg(screenText(taken_->from))};
     item_->setVisible(!items_.empty());
-    clear_->setVisible(there);
+    clear_->setVisible(there && !taken_);
     how_->setVisible(there && sources_.front().item.empty());
     if (!there) how_->setChecked(false);
     QString name = there ? names.front() : QString();

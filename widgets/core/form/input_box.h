@@ -4,8 +4,10 @@
 #include <QLabel>
 #include <QToolButton>
 #include <QWidget>
+#include <optional>
 
 #include "engine/io/import.h"
+#include "engine/walk/walk.h"
 #include "widgets/core/panel/panel_facts.h"
 
 namespace lathelier {
@@ -28,6 +30,7 @@ public:
     };
     void setItems(const std::vector<ItemOffer>& items);
 
+    void setTaken(const walk::Taken* taken);  ///< nullptr: given here, or not at all
     void setUnderstood(const QString& text);  ///< empty: not read (yet)
     void setProblem(const Error* error);      ///< error of this file; unfolds the reading options that can resolve it
 
@@ -51,6 +54,7 @@ private:
     InputRole role_;
     std::vector<project::Source> sources_;
     std::vector<ItemOffer> items_;
+    std::optional<walk::Taken> taken_;
     QString understood_;
     bool problem_ = false;
     QLabel* title_;

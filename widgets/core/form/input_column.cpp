@@ -116,6 +116,15 @@ void InputColumn::showItems(const project::Project& project)
     }
 }
 
+void InputColumn::showTaken(const std::vector<walk::Taken>& taken)
+{
+    for (const InputRole& role : inputs_.roles) {
+        const auto found = std::find_if(taken.begin(), taken.end(),
+                                        [&](const walk::Taken& one) { return one.role == role.role; });
+        boxes_.at(role.role)->setTaken(found == taken.end() ? nullptr : &*found);
+    }
+}
+
 void InputColumn::showFacts(const Understood& understood, const std::optional<Error>& error)
 {
     const Value* path = error ? lathelier::find(error->values(), "path") : nullptr;

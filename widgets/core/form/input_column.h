@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "engine/walk/walk.h"
 #include "widgets/core/panel/panel_facts.h"
 
 namespace lathelier {
@@ -23,6 +24,9 @@ public:
 
     /// The project's items for roles that accept items.
     void showItems(const project::Project& project);
+
+    /// The inputs that come from elsewhere in the part.
+    void showTaken(const std::vector<walk::Taken>& taken);
 
     /// Facts of the files read so far, and the file that `error` refers to.
     using Understood = std::function<QString(const InputRole&, const project::Source&)>;

@@ -25,7 +25,7 @@ public:
     std::shared_ptr<const Result> result() const { return result_; }
 
 protected:
-    using Compute = std::function<Result(const Progress&)>;
+    using Compute = std::function<std::shared_ptr<const Result>(const Progress&)>;
 
     /// The computation for `state`, whose required inputs are all given. Called in the GUI thread; the returned
     /// function runs in the worker and must own all data it uses (objects of session().stores(), copies of values). It
@@ -44,7 +44,7 @@ private:
     Worker::Job makeJob(const project::PanelState& state) const final
     {
         return [compute = compute(state)](const Progress& progress) -> std::shared_ptr<const void> {
-            return std::make_shared<const Result>(compute(progress));
+            return compute(progress);
         };
     }
     void showValue(std::shared_ptr<const void> value) final

@@ -119,7 +119,9 @@ void PanelBase::setViews(QWidget* views, PrimaryViews* primaryViews)
 
 void PanelBase::readProject()
 {
-    project::PanelState state = project::resolved(session_.project(), facts_.stateKey());
+    const auto walk = session_.walk();
+    project::PanelState state =
+        walk->place(facts_.id) ? walk->promised(facts_.id) : project::resolved(session_.project(), facts_.stateKey());
     Values parameters = inputs_.defaults;
     for (const auto& [name, value] : state.parameters) lathelier::set(parameters, name, value);
     state.parameters = parameters;
@@ -139,6 +141,7 @@ void PanelBase::readProject()
     }
     progress_->setInReport(std::find(report.begin(), report.end(), facts_.id) != report.end());
     column_->showItems(session_.project());
+    column_->showTaken(walk->taken(facts_.id));
     if (asked_ && state == state_) return;
     asked_ = true;
     state_ = state;

@@ -17,6 +17,28 @@ const Workspace& workspaceOf(const std::string& id)
     return *std::find_if(all.begin(), all.end(), [&](const Workspace& one) { return one.id == id; });
 }
 
+std::vector<walk::Place> placesOf(const std::vector<PanelFacts>& table)
+{
+    std::vector<walk::Place> places;
+    for (const PanelFacts& facts : table) {
+        if (!facts.task || !facts.answer) continue;
+        walk::Place place;
+        place.id = facts.id;
+        place.state = facts.stateKey();
+        place.title = facts.title;
+        place.task = facts.task;
+        place.begins_with = facts.begins_with;
+        place.gives = facts.gives;
+        place.may_give = facts.may_give;
+        place.fills = facts.fills;
+        place.takes_held = facts.takes_held;
+        place.missing = facts.missing ? facts.missing : missingOf(facts.roles);
+        place.answer = facts.answer;
+        places.push_back(std::move(place));
+    }
+    return places;
+}
+
 bool hasWork(const PanelFacts& facts, const project::PanelState& state)
 {
     return facts.has_work ? facts.has_work(state) : !state.inputs.empty();

@@ -48,26 +48,37 @@ std::vector<PanelExport> exportsOf(const task::Task& task, const std::shared_ptr
 /// What the outcome makes of this kind; none: not possible.
 std::optional<task::Product> productOf(const task::Outcome& outcome, const std::string& kind, const std::string& part);
 
-/// R: the typed outcome of the task, with `asked` (the state), `sources` and `notes`; outcomeOf(shared_ptr<const R>).
+/// PanelFacts::answer by a function to the typed outcome R; outcomeOf(shared_ptr<const R>).
+template <class R>
+auto answeredBy(R (*answer)(const project::PanelState&, Stores&, task::Sources&, const Progress&))
+{
+    return [answer](const project::PanelState& state, Stores& stores, task::Sources& sources,
+                    const Progress& progress) -> walk::PlaceAnswer {
+        const auto value = std::make_shared<const R>(answer(state, stores, sources, progress));
+        return {value, outcomeOf(value), value->sources.synthetic};
+    };
+}
+
+/// R: the typed outcome of the task, with `asked` (the state), `sources` and `notes`; that of PanelFacts::answer.
 template <class R>
 class TaskPanel : public Panel<R> {
 public:
-    using AnswerTask = R (*)(const project::PanelState&, Stores&, task::Sources&, const Progress&);
-
-    TaskPanel(Session& owner, const task::Task& task, AnswerTask answerTask, const PanelFacts& facts,
-              const PanelInputs& inputs, QWidget* parent)
-        : Panel<R>(owner, facts, inputs, parent), task_(task), answerTask_(answerTask)
+    TaskPanel(Session& owner, const PanelFacts& facts, const PanelInputs& inputs, QWidget* parent)
+        : Panel<R>(owner, facts, inputs, parent), task_(*facts.task)
     {
     }
 
 protected:
+    /// What is missing comes from the part's other questions: in the worker, where they are answered too.
     typename Panel<R>::Compute compute(const project::PanelState& state) const override
     {
         for (const FieldInfo& field : task_.fields)  // ranges are checked before the computation
             if (const Value* const given = find(state.parameters, field.key)) check(field, *given);
-        return [state, answerTask = answerTask_, stores = this->session().sharedStores()](const Progress& progress) {
+        return [state, id = this->facts().id, answer = this->facts().answer, walk = this->session().walk(),
+                stores = this->session().sharedStores()](const Progress& progress) {
+            if (walk->place(id)) return std::static_pointer_cast<const R>(walk->answer(id, progress)->value);
             task::Sources sources;
-            return answerTask(state, *stores, sources, progress);
+            return std::static_pointer_cast<const R>(answer(state, *stores, sources, progress).value);
         };
     }
     Notes notes(const R& outcome) const override { return outcome.notes; }
@@ -113,7 +124,6 @@ private:
     }
 
     const task::Task& task_;
-    AnswerTask answerTask_;
 };
 
 }  // namespace lathelier

@@ -14,14 +14,6 @@ constexpr double usualBar_mm = 40, usualChuck_mm = 110, usualAllowance_mm = 1;
 constexpr double usualDepth_mm = 2, usualFeed_mm_rev = 0.25, usualSpeed_m_min = 180;
 constexpr double finishFeed_mm_rev = 0.1, finishSpeed_m_min = 200;
 
-/// Those that are built in, by name.
-std::vector<FieldChoice> postChoices()
-{
-    std::vector<FieldChoice> choices;
-    for (const std::string& name : postNames()) choices.push_back({name, labelOfPost(name)});
-    return choices;
-}
-
 std::vector<Field<TurningQuestion>> turningFields()
 {
     using Q = TurningQuestion;
@@ -58,6 +50,13 @@ std::vector<Field<TurningQuestion>> turningFields()
 }
 
 }  // namespace
+
+std::vector<FieldChoice> postChoices()
+{
+    std::vector<FieldChoice> choices;
+    for (const std::string& name : postNames()) choices.push_back({name, labelOfPost(name)});
+    return choices;
+}
 
 Text labelOfPost(const std::string& post)
 {

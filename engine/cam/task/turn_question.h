@@ -24,6 +24,9 @@ inline constexpr const char* spindleRole = "spindle";  ///< of the machine
 /// Shown name of a built-in post; of another one its name.
 Text labelOfPost(const std::string& post);
 
+/// The built-in posts as choices of a field.
+std::vector<FieldChoice> postChoices();
+
 /// A program that was changed by hand.
 struct TurningDraft {
     int setup = 1;               ///< clamping, 1 or 2

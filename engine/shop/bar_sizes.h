@@ -1,5 +1,4 @@
-// Diameters of round steel bars that are sold: those of EN 10060 (hot rolled), which the bright bars of EN 10278 have
-// too.
+// Diameters of round steel bars that are sold: the preferred ones of EN 10060 (hot rolled).
 #pragma once
 
 #include <optional>

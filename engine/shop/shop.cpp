@@ -19,6 +19,14 @@ Field<T> nameField()
     return field("name", &T::name, Label{LT_TEXT("Engine", "Name"), LT_TEXT("Engine", "As it is shown.")});
 }
 
+std::vector<FieldChoice> elasticMaterials()
+{
+    std::vector<FieldChoice> choices;
+    for (const auto& entry : receptance::materials())
+        choices.push_back({entry.key, receptance::nameOfMaterial(entry.key)});
+    return choices;
+}
+
 }  // namespace
 
 const std::vector<Field<Lathe>>& fieldsOf(const Lathe*)
@@ -97,7 +105,7 @@ const std::vector<Field<BarMaterial>>& fieldsOf(const BarMaterial*)
     using M = BarMaterial;
     static const auto all = described<M>(
         nameField<M>(),
-        choice("elastic", &M::elastic, receptance::materialChoices(LT_TEXT("Engine", "as stated")),
+        choice("elastic", &M::elastic, elasticMaterials(),
                Label{LT_TEXT("Engine", "Stiffness and density"), LT_TEXT("Engine", "Of this material.")}),
         group("cutting", &M::cutting,
               Label{LT_TEXT("Engine", "Cutting forces"), LT_TEXT("Engine", "With a coated carbide insert.")}),

@@ -18,7 +18,11 @@ inline constexpr ErrorCode partLargerThanBars{
 
 inline constexpr ErrorCode partLargerThanLathe{
     "part_larger_than_lathe", ErrorKind::NoAnswer,
-    LT_TEXT("Engine", "The part is {found_mm} mm {what}; the lathe {lathe} takes {most_mm} mm.")};
+    LT_TEXT("Engine", "{what} is {found_mm} mm; the lathe “{lathe}” takes {most_mm} mm.")};
+
+inline constexpr ErrorCode shopNeedsPart{
+    "shop_needs_part", ErrorKind::WrongUsage,
+    LT_TEXT("Engine", "The shop makes {what} for a part: state it with {name}, or state {what}.")};
 
 }  // namespace errors
 

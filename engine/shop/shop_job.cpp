@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/cam/job_bodies.h"
 #include "engine/cam/job_library.h"
 #include "engine/receptance/library.h"
 #include "engine/shaft/shaft_codes.h"
@@ -37,6 +38,16 @@ bool isBoredAtFreeEnd(const Shaft& part)
            (!part.segments.empty() && part.segments.front().bore_diameter_mm > 0);
 }
 
+/// Slender, and its free end has room for the centre.
+bool usesTailstock(const Shop& shop, const Shaft& body)
+{
+    constexpr double land_mm = 1;  // of the end face around the centre hole
+    if (!shop.tailstock || body.segments.empty() || isBoredAtFreeEnd(body)) return false;
+    const Tailstock& tailstock = shop.tailstock->value;
+    return body.segments.front().start_diameter_mm >= tailstock.centre_hole_mm + 2 * land_mm &&
+           body.length_mm() >= tailstock.from_slenderness * meanDiameter_mm(body);
+}
+
 void checkSize(const Lathe& lathe, Text what, double found_mm, const std::optional<double>& most_mm)
 {
     if (!most_mm || found_mm <= *most_mm) return;
@@ -45,10 +56,33 @@ void checkSize(const Lathe& lathe, Text what, double found_mm, const std::option
 }
 
 template <class T>
-void assume(Text what, const Chosen<T>& chosen, Notes& notes)
+void note(Text what, const Chosen<T>& chosen, Notes& notes)
 {
-    if (!chosen.is_assumed) return;
-    notes.push_back({notes::ofShop, {{"what", what}, {"value", chosen.value.name}, {"source", chosen.source}}});
+    Note made{notes::ofShop, {{"what", what}, {"value", chosen.value.name}, {"source", chosen.source}}};
+    const auto isSame = [&](const Note& one) { return one.code == made.code && one.values == made.values; };
+    if (chosen.is_assumed && std::none_of(notes.begin(), notes.end(), isSame)) notes.push_back(std::move(made));
+}
+
+/// All but zero and stock.
+deflection::TurningSetup commonSetup(const Shop& shop, std::vector<cam::JobTool> tools, bool has_tailstock)
+{
+    const BarMaterial& material = shop.material.value;
+    const Chuck& chuck = shop.chuck.value;
+    deflection::TurningSetup setup;
+    if (const auto* const elastic = entryOf(receptance::materials(), material.elastic))
+        setup.material.elastic = elastic->value;
+    setup.material.cutting = material.cutting;
+    cam::Job whole;
+    whole.tools = std::move(tools);
+    whole = cam::withLibrary(std::move(whole));
+    if (const cam::JobTool* const finisher = whole.toolFor(cam::ToolUse::Finish)) setup.tool = Tool(*finisher);
+    setup.chuck.radial_N_mm = chuck.springs.radial_N_mm;
+    setup.chuck.tilt_N_mm_rad = chuck.springs.tilt_N_mm_rad;
+    if (!has_tailstock || !shop.tailstock) return setup;
+    deflection::HoldingSprings& tailstock = setup.tailstock.emplace();
+    tailstock.radial_N_mm = shop.tailstock->value.radial_N_mm;
+    tailstock.tilt_N_mm_rad = shop.tailstock->value.tilt_N_mm_rad;
+    return setup;
 }
 
 }  // namespace
@@ -64,8 +98,8 @@ cam::Job jobOf(const Shop& shop, const Shaft& part)
     if (!bar_mm)
         throw Error(errors::partLargerThanBars,
                     {{"diameter_mm", diameter_mm}, {"largest_mm", barDiameters_mm().back()}});
-    checkSize(lathe, LT_TEXT("Engine", "in diameter"), *bar_mm, lathe.swing_mm);
-    checkSize(lathe, LT_TEXT("Engine", "long"), length_mm, lathe.distance_mm);
+    checkSize(lathe, LT_TEXT("Engine", "The diameter of the bar"), *bar_mm, lathe.swing_mm);
+    checkSize(lathe, LT_TEXT("Engine", "The length of the part"), length_mm, lathe.distance_mm);
 
     cam::Job job;
     job.title = part.name;
@@ -81,33 +115,22 @@ cam::Job jobOf(const Shop& shop, const Shaft& part)
     job.setup.grip_length_mm = chuck.grip_length_mm;
     job.setup.power_kW = lathe.power_kW;
     job.setup.efficiency = lathe.efficiency;
-    if (shop.tailstock && !isBoredAtFreeEnd(part) &&
-        length_mm >= shop.tailstock->value.from_slenderness * meanDiameter_mm(part)) {
-        job.setup.tailstock.emplace().centre_hole_mm = shop.tailstock->value.centre_hole_mm;
-    }
+    if (usesTailstock(shop, part)) job.setup.tailstock.emplace().centre_hole_mm = shop.tailstock->value.centre_hole_mm;
     job.cutting = {material.name, material.rough, material.finish};
     job.max_rpm = lathe.max_rpm;
     return job;
 }
 
-deflection::TurningSetup setupOf(const Shop& shop, const cam::Job& job)
+deflection::HeldSetup setupOf(const Shop& shop, const cam::Job& job)
 {
-    const BarMaterial& material = shop.material.value;
-    const Chuck& chuck = shop.chuck.value;
-    deflection::TurningSetup setup;
-    setup.z_zero_mm = job.stock.face_allowance_mm;
-    if (const auto* const elastic = entryOf(receptance::materials(), material.elastic))
-        setup.material.elastic = elastic->value;
-    setup.material.cutting = material.cutting;
-    const cam::Job whole = cam::withLibrary(job);
-    if (const cam::JobTool* const finisher = whole.toolFor(cam::ToolUse::Finish)) setup.tool = Tool(*finisher);
-    setup.chuck.radial_N_mm = chuck.springs.radial_N_mm;
-    setup.chuck.tilt_N_mm_rad = chuck.springs.tilt_N_mm_rad;
-    if (job.setup.tailstock && shop.tailstock) {
-        setup.tailstock.emplace().radial_N_mm = shop.tailstock->value.radial_N_mm;
-        setup.tailstock->tilt_N_mm_rad = shop.tailstock->value.tilt_N_mm_rad;
-    }
-    return setup;
+    deflection::HeldSetup held{commonSetup(shop, job.tools, job.setup.tailstock.has_value()), cam::heldStock(job)};
+    held.setup.z_zero_mm = job.stock.face_allowance_mm;
+    return held;
+}
+
+deflection::TurningSetup setupOfStock(const Shop& shop, const Shaft& stock)
+{
+    return commonSetup(shop, shop.tools.value.tools, usesTailstock(shop, stock));
 }
 
 receptance::SpindleReceptance chuckFaceOf(const Shop& shop)
@@ -115,15 +138,28 @@ receptance::SpindleReceptance chuckFaceOf(const Shop& shop)
     return {shop.chuck.value.springs};
 }
 
-Notes assumptionsOf(const Shop& shop)
+UsedEntries usedBy(const cam::Job& job)
 {
-    Notes notes;
-    assume(LT_TEXT("Engine", "Lathe"), shop.lathe, notes);
-    assume(LT_TEXT("Engine", "Chuck"), shop.chuck, notes);
-    if (shop.tailstock) assume(LT_TEXT("Engine", "Tailstock"), *shop.tailstock, notes);
-    assume(LT_TEXT("Engine", "Set of tools"), shop.tools, notes);
-    assume(LT_TEXT("Engine", "Material"), shop.material, notes);
-    return notes;
+    return {true, true, job.setup.tailstock.has_value(), true, true};
+}
+
+UsedEntries usedBy(const deflection::TurningSetup& made)
+{
+    return {false, true, made.tailstock.has_value(), true, true};
+}
+
+UsedEntries usedByChuckFace()
+{
+    return {false, true, false, false, false};
+}
+
+void noteAssumed(const Shop& shop, const UsedEntries& used, Notes& notes)
+{
+    if (used.lathe) note(LT_TEXT("Engine", "Lathe"), shop.lathe, notes);
+    if (used.chuck) note(LT_TEXT("Engine", "Chuck"), shop.chuck, notes);
+    if (used.tailstock && shop.tailstock) note(LT_TEXT("Engine", "Tailstock"), *shop.tailstock, notes);
+    if (used.tools) note(LT_TEXT("Engine", "Set of tools"), shop.tools, notes);
+    if (used.material) note(LT_TEXT("Engine", "Material"), shop.material, notes);
 }
 
 }  // namespace lathelier::shop

@@ -38,6 +38,8 @@ struct ShopChoice {
 
 const std::vector<Field<ShopChoice>>& fieldsOf(const ShopChoice*);
 
+inline constexpr const char* builtInName = "built-in";  ///< of the shop that is built in, in place of a file
+
 const std::vector<BuiltInText>& builtInShop();  ///< resources/library/shop.json
 
 /// The library that is built in. Thread-safe; lives as long as the program.

@@ -5,6 +5,7 @@
 
 #include "engine/cam/post/post.h"
 #include "engine/core/field_within.h"
+#include "engine/task/edited_segments.h"
 
 namespace lathelier::cam {
 namespace {
@@ -106,8 +107,7 @@ const std::vector<Field<TurningQuestion>>& fieldsOf(const TurningQuestion*)
 
 std::string identity(const project::PanelState& state)
 {
-    const auto source = state.inputs.find(jobRole);
-    return source == state.inputs.end() ? std::string() : source->second.path;
+    return task::identity(state, jobRole);
 }
 
 bool formRules(const TurningQuestion& question, const project::PanelState& state)

@@ -12,14 +12,23 @@
 namespace lathelier::shop {
 namespace {
 
+/// A row of a shaft or of a bore.
+template <class Row>
+Row straight(double length_mm, double diameter_mm)
+{
+    Row row;
+    row.length_mm = length_mm;
+    row.start_diameter_mm = row.end_diameter_mm = diameter_mm;
+    return row;
+}
+
+/// Half of it as thick as the other half.
 Shaft stepped(double length_mm, double diameter_mm)
 {
     Shaft part;
     part.name = "pin";
-    part.segments.push_back(
-        {.length_mm = length_mm / 2, .start_diameter_mm = diameter_mm / 2, .end_diameter_mm = diameter_mm / 2});
-    part.segments.push_back(
-        {.length_mm = length_mm / 2, .start_diameter_mm = diameter_mm, .end_diameter_mm = diameter_mm});
+    part.segments = {straight<ShaftSegment>(length_mm / 2, diameter_mm / 2),
+                     straight<ShaftSegment>(length_mm / 2, diameter_mm)};
     return part;
 }
 
@@ -86,7 +95,7 @@ TEST(ShopJob, SlenderPartsGetTheTailstockUnlessTheyAreBored)
     ShopChoice without;
     without.tailstock.clear();
     EXPECT_FALSE(jobOf(shopOf(without), part).setup.tailstock);
-    part.bores.push_back({ShaftEnd::Free, {{.length_mm = 20, .start_diameter_mm = 8, .end_diameter_mm = 8}}});
+    part.bores.push_back({ShaftEnd::Free, {straight<BoreSegment>(20, 8)}});
     EXPECT_FALSE(jobOf(shopOf({}), part).setup.tailstock);
 }
 
@@ -94,7 +103,7 @@ TEST(ShopJob, SetUpHasTheSpringsAndTheFinishingTool)
 {
     const Shop shop = shopOf({});
     const cam::Job job = jobOf(shop, stepped(240, 24));
-    const deflection::TurningSetup setup = setupOf(shop, job);
+    const deflection::TurningSetup setup = setupOf(shop, job).setup;
     EXPECT_EQ(setup.tool.corner_radius_mm, 0.4);
     EXPECT_EQ(setup.tool.entering_angle_deg, 93);
     EXPECT_EQ(setup.chuck.radial_N_mm, 14850);
@@ -104,6 +113,31 @@ TEST(ShopJob, SetUpHasTheSpringsAndTheFinishingTool)
     EXPECT_EQ(setup.tailstock->radial_N_mm, 5500);
     ASSERT_TRUE(chuckFaceOf(shop).springs());
     EXPECT_EQ(chuckFaceOf(shop).springs()->radial_N_mm, 14850);
+}
+
+TEST(ShopJob, TheBarOfTheSetUpEndsAtTheChuckFace)
+{
+    const Shop shop = shopOf({});
+    const cam::Job job = jobOf(shop, stepped(80, 29));
+    const deflection::HeldSetup held = setupOf(shop, job);
+    ASSERT_TRUE(held.stock);
+    EXPECT_DOUBLE_EQ(held.stock->length_mm(), 1 + 80 + 5 + 3);  // face, part, clearance, blade
+    EXPECT_EQ(held.stock->segments.front().start_diameter_mm, 32);
+    EXPECT_EQ(held.setup.z_zero_mm, 1);
+    const deflection::TurningSetup of_stock = setupOfStock(shop, stepped(240, 24));
+    EXPECT_EQ(of_stock.z_zero_mm, 0);
+    EXPECT_TRUE(of_stock.tailstock);
+    EXPECT_FALSE(setupOfStock(shop, stepped(80, 29)).tailstock);
+}
+
+TEST(ShopJob, AnEndTooThinForTheCentreHoleHasNoTailstock)
+{
+    // 120 mm of 10 mm: 12 times as long as thick; the end of 6.9 mm leaves less than 1 mm around a hole of 5 mm.
+    Shaft part;
+    part.segments = {straight<ShaftSegment>(5, 6.9), straight<ShaftSegment>(115, 10)};
+    EXPECT_FALSE(jobOf(shopOf({}), part).setup.tailstock);
+    part.segments.front() = straight<ShaftSegment>(5, 7.1);
+    EXPECT_TRUE(jobOf(shopOf({}), part).setup.tailstock);
 }
 
 TEST(ShopJob, WhatDoesNotFitIsRefused)
@@ -121,8 +155,11 @@ TEST(ShopJob, WhatDoesNotFitIsRefused)
 
 TEST(ShopJob, BuiltInEntriesAreAssumedAndOwnOnesAreNot)
 {
-    EXPECT_EQ(assumptionsOf(shopOf({})).size(), 5U);
-    Notes notes;
+    constexpr UsedEntries all{true, true, true, true, true};
+    Notes of_built_in, of_own, notes;
+    noteAssumed(shopOf({}), all, of_built_in);
+    noteAssumed(shopOf({}), all, of_built_in);
+    EXPECT_EQ(of_built_in.size(), 5U);  // each once
     const StatedShop own = readShop(
         R"({"choice": {"lathe": "hall 3"}, "lathes": [{"key": "hall 3", "max_rpm": 2500, "source": "its plate"}]})",
         notes);
@@ -130,7 +167,8 @@ TEST(ShopJob, BuiltInEntriesAreAssumedAndOwnOnesAreNot)
     const Shop shop = own.shop();
     EXPECT_EQ(shop.lathe.value.max_rpm, 2500);
     EXPECT_EQ(shop.lathe.value.name, "hall 3");
-    EXPECT_EQ(assumptionsOf(shop).size(), 4U);
+    noteAssumed(shop, all, of_own);
+    EXPECT_EQ(of_own.size(), 4U);
 }
 
 TEST(ShopFile, IsReadAsItIsWritten)

@@ -145,8 +145,9 @@ Invocation toInvocation(const Verb& verb, const Typed& typed)
             const auto given = typed.values.find(option.info.key);
             set(result.request.parameters, option.info.key,
                 given == typed.values.end() ? option.standard : understand(option.info, given->second));
-            if (!option.info.group_key.empty() && given != typed.values.end())
-                set(result.request.parameters, option.info.group_key, true);
+            if (given == typed.values.end()) continue;
+            result.request.typed.insert(option.info.key);
+            if (!option.info.group_key.empty()) set(result.request.parameters, option.info.group_key, true);
         }
     for (const auto& [name, path] : typed.outputs)
         if (!path.empty()) result.request.outputs.emplace(name, path);

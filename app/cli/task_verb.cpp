@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/shop_option.h"
 #include "app/cli/verb_answer.h"
 #include "engine/report/plain_text.h"
+#include "engine/shop/shop_fill.h"
 #include "engine/task/asked_state.h"
 #include "engine/task/needed.h"
 #include "engine/task/reply.h"
@@ -42,12 +44,15 @@ Operand operandOf(const task::Task& task, const task::Input& input)
 void runTask(const task::Task& task, const Request& request, const Progress& progress, Answer& answer)
 {
     task::Request asked{request.operands, request.parameters, {}, request.in_full};
+    const std::string shop = takeShopOption(asked.parameters);
+    if (!shop.empty()) asked.complete = completedFromShop(task, shop, request, progress);
     for (const auto& [option, path] : request.outputs) asked.exports[exportOf(option)] = path;
     const task::Reply found = task::reply(task, asked, progress);
     const task::Outcome& outcome = found.outcome;
     answer.sources = std::make_shared<const task::Sources>(found.sources);
     const bool is_asked = !found.state.inputs.empty() || !found.state.parameters.empty();
     if (is_asked) answer.parameters = parametersOf(task, found.state);  // of a refused request as they were given
+    if (is_asked && !shop.empty()) set(answer.parameters, shopKey, shop);
     answer.always_strict = task.always_strict;
     answer.notes = found.notes;
     answer.understanding = outcome.understanding;
@@ -81,6 +86,7 @@ Verb verbOf(const task::Task& task)
         else
             verb.parameters.push_back({field, *find(task.defaults, field.key)});
     }
+    if (shop::takesShop(task)) verb.parameters.push_back(shopOption());
     for (const task::Export& output : task.exports)
         verb.outputs.push_back({std::string(dashes) + output.option, output.help});
     verb.run = [&task](const Request& request, io::InputFiles&, const Progress& progress, Answer& answer) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,7 @@ struct Request {
     Values parameters;
     std::map<std::string, std::string> outputs;  ///< by option name, only those given
     bool in_full = false;                        ///< JSON or a report is asked for: more than the summary holds
+    std::set<std::string> typed = {};            ///< keys of the parameters that are no defaults
 };
 
 /// Answer of a verb; filled step by step, so that notes survive an error. JSON and report are built when asked for.

@@ -19,6 +19,7 @@
 #include "engine/receptance/task/shaft_task.h"
 #include "engine/receptance/task/spindle_task.h"
 #include "engine/receptance/task/tap_task.h"
+#include "engine/shop/shop_file.h"
 #include "engine/stability/task/lobes_task.h"
 #include "engine/stability/task/simulate_task.h"
 #include "engine/stability/task/speed_task.h"
@@ -56,7 +57,7 @@ const std::vector<Verb>& verbs()
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(),  &io::timeRecordFiles(),      &io::frfFiles(),
                             &io::shaftFiles(), &receptance::spindleFiles(), &receptance::measurementFiles(),
-                            &cad::stepFiles()};
+                            &cad::stepFiles(), &shop::shopFiles()};
         for (const Verb& verb : table) io::unite(kinds, verb.kinds);
         table.insert(table.begin() + 1, inspectVerb(kinds));
         return table;

@@ -61,6 +61,14 @@ stock::StockParameters stockParameters(const Job& job)
     return parameters;
 }
 
+Shaft heldStock(const Job& job)
+{
+    Shaft bar = stockOf(job);
+    const double beyond_mm = bar.length_mm() - (job.setup.chuck_face_z_mm + job.stock.face_allowance_mm);
+    if (beyond_mm > 0 && !bar.segments.empty()) bar.segments.back().length_mm -= beyond_mm;
+    return bar;
+}
+
 Shaft mirrored(const Shaft& part)
 {
     Shaft result = part;

@@ -14,6 +14,9 @@ double stockEnd_mm(const Job& job);
 /// The bar as input of the stock simulation.
 Shaft stockOf(const Job& job);
 
+/// The bar up to the chuck face, where a beam ends.
+Shaft heldStock(const Job& job);
+
 /// The tool with the sizes that a job assumes: of a threading insert, and of a centre drill, which drills the hole of
 /// the tailstock.
 Tool turningTool(const JobTool& tool, const Job& job);

@@ -35,13 +35,19 @@ const std::vector<Field<ChainQuestion>>& fieldsOf(const ChainQuestion*)
                        LT_TEXT("Engine", "Where every file goes; made when it is missing."), true)),
         field("machine", &Q::machine,
               labelled(LT_TEXT("Engine", "Machine"),
-                       LT_TEXT("Engine", "The spindle at the chuck face, from SPINDLE.json."), true)),
+                       LT_TEXT("Engine", "The spindle at the chuck face, from SPINDLE.json; else that of the shop."))),
         field("job", &Q::job,
               labelled(LT_TEXT("Engine", "Job"),
-                       LT_TEXT("Engine", "Stock, set-up, tools and cutting data, from JOB.json."), true)),
+                       LT_TEXT("Engine", "Stock, set-up, tools and cutting data, from JOB.json; else from the shop."))),
         field("setup", &Q::setup,
               labelled(LT_TEXT("Engine", "Set-up of deflection"),
-                       LT_TEXT("Engine", "SETUP.json; without a stock of its own it takes the job's bar."))),
+                       LT_TEXT("Engine",
+                               "SETUP.json; without a stock of its own it takes the job's bar; else from the shop."))),
+        field("shop", &Q::shop,
+              labelled(LT_TEXT("Engine", "Shop"),
+                       LT_TEXT("Engine",
+                               "Makes what is not given of machine, job and set-up, marked as assumed: SHOP.json, or "
+                               "built-in; empty: their steps are missing."))),
         field("copy", &Q::copy,
               labelled(LT_TEXT("Engine", "Copy"), LT_TEXT("Engine", "The scan of the machined copy."))),
         field("drawing", &Q::drawing,
@@ -97,12 +103,14 @@ const std::vector<std::string>& recognitionKeys()
 
 void refuseOverwriting(const ChainQuestion& question)
 {
-    for (const std::string& path : {question.scan, question.machine, question.job, question.setup, question.copy,
-                                    question.drawing, question.photograph_before, question.photograph_after}) {
+    for (const std::string& path :
+         {question.scan, question.machine, question.job, question.setup, question.shop, question.copy, question.drawing,
+          question.photograph_before, question.photograph_after}) {
         std::error_code ignored;
         const std::filesystem::path file(path);
         const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-        if (!path.empty() && std::filesystem::equivalent(folder, question.out, ignored))
+        const bool is_file = !path.empty() && path != shop::builtInName;
+        if (is_file && std::filesystem::equivalent(folder, question.out, ignored))
             throw Error(errors::outputIsInput, {{"parameter", "--out"}, {"file", path}});
     }
 }

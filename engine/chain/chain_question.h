@@ -8,6 +8,7 @@
 
 #include "engine/core/fields.h"
 #include "engine/core/value.h"
+#include "engine/shop/shop_library.h"
 
 namespace lathelier::chain {
 
@@ -17,16 +18,18 @@ enum class CutInPicture : std::uint8_t { Unknown, Down, Up };
 /// "unknown", "down", "up", the keys of the task surface.
 const std::vector<FieldChoice>& cutsInPicture();
 
-/// Paths, empty if not given; steps that need a missing file get StepState::Missing.
+/// Paths, empty if not given and not made from the shop; steps that need a missing file get StepState::Missing.
 struct ChainQuestion {
-    std::string scan;          ///< of the worn part
-    std::string out;           ///< folder of the chain
-    std::string machine;       ///< SPINDLE.json
-    std::string job;           ///< JOB.json
-    std::string setup;         ///< SETUP.json of deflection
-    std::string copy;          ///< scan of the copy
-    std::string drawing;       ///< SHAFT.json; empty: the recognised part is the drawing
-    std::string confirmed_by;  ///< name of the person who confirmed the drawing
+    std::string scan;                      ///< of the worn part
+    std::string out;                       ///< folder of the chain
+    std::string machine;                   ///< SPINDLE.json
+    std::string job;                       ///< JOB.json
+    std::string setup;                     ///< SETUP.json of deflection
+    std::string shop = shop::builtInName;  ///< makes those of the three that are not given: SHOP.json, the built-in
+                                           ///< one by its name; empty: they are missing
+    std::string copy;                      ///< scan of the copy
+    std::string drawing;                   ///< SHAFT.json; empty: the recognised part is the drawing
+    std::string confirmed_by;              ///< name of the person who confirmed the drawing
     std::string post = "fanuc_a";
     std::optional<double> tolerance_mm;      ///< of the copy's surface
     std::optional<double> tolerance_um;      ///< of the predicted diameter error

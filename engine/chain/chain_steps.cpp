@@ -40,6 +40,16 @@ void setIfGiven(Values& values, const char* key, const std::optional<double>& va
     if (value) set(values, key, *value);
 }
 
+/// From half the slowest speed of the cutting data on the bar of the job to the highest speed of the machine.
+Interval usedSpeeds(const cam::Job& job)
+{
+    const double slowest_m_min =
+        std::min(job.cutting.rough.cutting_speed_m_min, job.cutting.finish.cutting_speed_m_min);
+    const double fastest = job.max_rpm.value_or(cam::assumedLimit_rpm);
+    const double slowest = 1000 * slowest_m_min / (std::numbers::pi * job.stock.diameter_mm);
+    return {std::min(slowest, fastest) / 2, fastest};
+}
+
 }  // namespace
 
 struct ChainSteps::Results {
@@ -50,7 +60,12 @@ struct ChainSteps::Results {
 
 ChainSteps::ChainSteps(const ChainQuestion& question, StepRunner& runner, io::InputFiles& inputs,
                        const Progress& progress)
-    : question_(question), runner_(runner), inputs_(inputs), progress_(progress), results_(std::make_unique<Results>())
+    : question_(question),
+      runner_(runner),
+      inputs_(inputs),
+      progress_(progress),
+      machine_(question, runner, inputs, progress),
+      results_(std::make_unique<Results>())
 {
 }
 
@@ -96,14 +111,6 @@ void ChainSteps::draw()
     shaft_ = runner_.path(drawingFile);
 }
 
-void ChainSteps::readJob()
-{
-    if (question_.job.empty()) return;
-    cam::JobFile file =
-        cam::loadJob({question_.job, inputs_.open(question_.job, progress_), question_.reading, inputs_, progress_});
-    job_ = std::move(file.job);
-}
-
 /// Adds the files read so far as inputs of the next step.
 void ChainSteps::addPreparationInputs()
 {
@@ -118,28 +125,18 @@ Shaft ChainSteps::readPart()
     return io::readShaft(std::string(bytes.view()), ignored_notes);
 }
 
-/// From half the slowest speed of the cutting data on the bar of the job to the highest speed of the machine.
-Interval ChainSteps::usedSpeeds() const
-{
-    const double slowest_m_min =
-        std::min(job_.cutting.rough.cutting_speed_m_min, job_.cutting.finish.cutting_speed_m_min);
-    const double fastest = job_.max_rpm.value_or(cam::assumedLimit_rpm);
-    const double slowest = 1000 * slowest_m_min / (std::numbers::pi * job_.stock.diameter_mm);
-    return {std::min(slowest, fastest) / 2, fastest};
-}
-
 void ChainSteps::planSpeeds()
 {
     const bool has_drawing = runner_.hasFailed() || runner_.dossier().step("draw")->state != StepState::Missing;
-    const Text missing = !has_drawing                ? noDrawing
-                         : question_.machine.empty() ? noMachine
-                         : question_.job.empty()     ? noJob
-                                                     : Text{};
     try {
-        if (!runner_.hasFailed()) readJob();  // errors in the job are reported first
-    } catch (Error& error) {
-        runner_.recordFailure("machine", error.with("path", question_.job));
+        if (!runner_.hasFailed()) machine_.read();  // errors in job and shop are reported first
+    } catch (const Error& error) {
+        runner_.recordFailure("machine", error);
     }
+    const Text missing = !has_drawing                     ? noDrawing
+                         : machine_.spindleFile().empty() ? noMachine
+                         : machine_.jobFile().empty()     ? noJob
+                                                          : Text{};
     if (!missing.empty() && !runner_.dossier().step("machine")) {
         for (const char* id : {"machine", "speeds"}) runner_.recordMissing(id, missing);
         return;
@@ -150,19 +147,21 @@ void ChainSteps::planSpeeds()
             partLength_mm_ = part.length_mm();
             addPreparationInputs();
             runner_.addInput(std::string(drawingFile));
-            runner_.write(heldFile, io::shaftText(cam::heldPart(part, job_)));
-        } catch (const Error& error) {  // the part does not fit the bar of the job
+            machine_.makeFor(part);
+            runner_.write(heldFile, io::shaftText(cam::heldPart(part, machine_.job().value())));
+        } catch (const Error& error) {  // the part does not fit the bar of the job, or the shop
             runner_.recordFailure("machine", error);
         }
     }
     const std::string held = runner_.path(heldFile);
     if (!runner_.hasFailed() || !runner_.dossier().step("machine")) {
-        StepRequest machine = asked("machine", {held}, {{"spindle", question_.machine}});
+        StepRequest machine = asked("machine", {held}, {{"spindle", machine_.spindleFile()}});
         machine.outputs = {{"csv", "receptance.csv"}};
         runner_.run(machine, share(0.4, 0.5, LT_TEXT("Engine", "Receptance")));
+        machine_.noteMachine();
     }
-    StepRequest speeds = asked("speeds", {}, {{"shaft", held}, {"spindle", question_.machine}});
-    if (!runner_.hasFailed()) set(speeds.given, "speed_rpm", std::vector<Interval>{usedSpeeds()});
+    StepRequest speeds = asked("speeds", {}, {{"shaft", held}, {"spindle", machine_.spindleFile()}});
+    if (machine_.job()) set(speeds.given, "speed_rpm", std::vector<Interval>{usedSpeeds(*machine_.job())});
     results_->speeds = runner_.run(speeds, share(0.5, 0.55, LT_TEXT("Engine", "Stable depths and speeds")));
 }
 
@@ -171,12 +170,12 @@ std::string ChainSteps::extension() const
 {
     gcode::ControlPtr control;
     try {
-        if (question_.post.ends_with(".json")) {
+        if (machine_.post().ends_with(".json")) {
             Notes ignored_notes;  // reported by the step itself
-            const io::FileBytes bytes(question_.post);
+            const io::FileBytes bytes(machine_.post());
             control = cam::readPost(std::string(bytes.view()), ignored_notes).control;
         } else {
-            control = cam::postNamed(question_.post).control;
+            control = cam::postNamed(machine_.post()).control;
         }
     } catch (const Error&) {
         // the step reports the error
@@ -188,26 +187,27 @@ void ChainSteps::program()
 {
     const ChainStep* const drawn = runner_.dossier().step("draw");
     if (drawn->state == StepState::Missing) return runner_.recordMissing("program", noDrawing);
-    if (question_.job.empty()) return runner_.recordMissing("program", noJob);
-    StepRequest step = asked("program", {shaft_}, {{"job", question_.job}, {"post", question_.post}});
-    if (!question_.machine.empty()) set(step.given, "spindle", question_.machine);
+    if (machine_.jobFile().empty()) return runner_.recordMissing("program", noJob);
+    StepRequest step = asked("program", {shaft_}, {{"job", machine_.jobFile()}, {"post", machine_.post()}});
+    if (!machine_.spindleFile().empty()) set(step.given, "spindle", machine_.spindleFile());
     step.outputs = {{"out", "program" + extension()}};
     results_->planned = plannedProgram(runner_.run(step, share(0.55, 0.65, LT_TEXT("Engine", "Planning the program"))));
     twoClampings_ = results_->planned.clampings > 1;
     if (!twoClampings_ || !runner_.canRead(drawingFile)) return;
     const Shaft part = readPart();
-    second_ = secondBar(part, job_);
+    if (machine_.job()) second_ = secondBar(part, *machine_.job());
     split_mm_ = cam::splitOf(part).value_or(partLength_mm_);
 }
 
 void ChainSteps::deflect()
 {
-    if (runner_.dossier().step("program")->state == StepState::Missing || question_.setup.empty()) {
-        const Text missing = question_.setup.empty() ? noSetup : noProgram;
+    const bool has_setup = machine_.hasSetup();
+    if (runner_.dossier().step("program")->state == StepState::Missing || !has_setup) {
+        const Text missing = has_setup ? noProgram : noSetup;
         for (const char* id : {"deflection", "corrected_check"}) runner_.recordMissing(id, missing);
         return;
     }
-    const HeldBar first = runner_.hasFailed() ? HeldBar{} : firstBar(job_);
+    const HeldBar first = machine_.job() ? firstBar(*machine_.job()) : HeldBar{};  // none: failed, or not made yet
     deflectOne("deflection", first, twoClampings_ ? "_1" : "", 0.65, twoClampings_ ? 0.72 : 0.8);
     if (twoClampings_) {
         if (second_)
@@ -225,10 +225,9 @@ void ChainSteps::deflectOne(const char* id, const HeldBar& held, const std::stri
     StepRequest step = asked(id, {runner_.path("program" + number + extension())}, {{"setup", question_.setup}});
     set(step.given, "band", true);
     setIfGiven(step.given, "tolerance_um", question_.tolerance_um);
-    if (!runner_.hasFailed()) {
+    if (!runner_.hasFailed() && machine_.job()) {
         try {
-            const deflection::SetupFile setup = deflection::loadSetup(
-                {question_.setup, inputs_.open(question_.setup, progress_), question_.reading, inputs_, progress_});
+            const deflection::HeldSetup setup = machine_.setup();
             if (tail.empty()) zero_mm_ = setup.setup.z_zero_mm;
             addPreparationInputs();
             if (!setup.stock || held.is_mirrored) {
@@ -238,8 +237,8 @@ void ChainSteps::deflectOne(const char* id, const HeldBar& held, const std::stri
                 runner_.write(made, deflection::setupText(setupFor(setup.setup, held, bar)));
                 set(step.given, "setup", runner_.path(made));
             }
-        } catch (Error& error) {
-            return runner_.recordFailure(id, error.with("path", question_.setup));
+        } catch (const Error& error) {
+            return runner_.recordFailure(id, error);
         }
     }
     step.outputs_if_possible = {{"compensate", "program_corrected" + number + extension()}};
@@ -247,6 +246,7 @@ void ChainSteps::deflectOne(const char* id, const HeldBar& held, const std::stri
     result = runner_.run(step, share(from, to, LT_TEXT("Engine", "Deflection")));
     if (const std::optional<Error>& refusal = runner_.refusal(); refusal && !runner_.hasFailed())
         runner_.addNote({notes::correctionRefused, {{"reason", text(*refusal)}}});
+    machine_.noteSetup();
 }
 
 void ChainSteps::checkCorrected()
@@ -264,7 +264,7 @@ void ChainSteps::checkCorrected()
     }
     const std::string part = twoClampings_ ? runner_.path("part_1.json") : shaft_;
     runner_.run(asked("corrected_check", {runner_.path(corrected)},
-                      {{"job", question_.job}, {"shaft", part}, {"correction", runner_.path("deflection.json")}}),
+                      {{"job", machine_.jobFile()}, {"shaft", part}, {"correction", runner_.path("deflection.json")}}),
                 share(0.8, 0.85, LT_TEXT("Engine", "Checking the corrected program")));
 }
 
@@ -287,7 +287,7 @@ void ChainSteps::prove()
         const ChainStep* const step = runner_.dossier().step(id);
         return step && step->state == StepState::Missing;
     };
-    if (isMissing("deflection")) return runner_.recordMissing("proof", question_.setup.empty() ? noSetup : noProgram);
+    if (isMissing("deflection")) return runner_.recordMissing("proof", machine_.hasSetup() ? noProgram : noSetup);
     if (isMissing("copy")) return runner_.recordMissing("proof", noCopy);
     std::vector<std::string> inputs{"deflection.json", "copy.json", "draw.json"};
     const bool has_second = runner_.isDone("deflection_2");
@@ -316,13 +316,13 @@ void ChainSteps::prove()
 /// Before: the speed of the job's cutting data; after: the speed of the program there.
 std::optional<ChainSteps::LocalCut> ChainSteps::cutAt(const std::optional<double>& z_mm) const
 {
-    if (!z_mm) return std::nullopt;
+    if (!z_mm || !machine_.job()) return std::nullopt;
+    const cam::Job& job = *machine_.job();
     for (const PlannedSection& section : results_->planned.sections) {
         if (*z_mm < section.z_start_mm || *z_mm > section.z_end_mm) continue;
         const double stated_rpm =
-            1000 * job_.cutting.finish.cutting_speed_m_min / (std::numbers::pi * section.diameter_mm);
-        return LocalCut{section.diameter_mm, std::min(stated_rpm, job_.max_rpm.value_or(stated_rpm)),
-                        section.speed_rpm};
+            1000 * job.cutting.finish.cutting_speed_m_min / (std::numbers::pi * section.diameter_mm);
+        return LocalCut{section.diameter_mm, std::min(stated_rpm, job.max_rpm.value_or(stated_rpm)), section.speed_rpm};
     }
     return std::nullopt;
 }
@@ -337,7 +337,8 @@ void ChainSteps::comparePhotographs()
     if (question_.photograph_cut != CutInPicture::Unknown)
         set(step.given, "cut_direction",
             std::string(cutsInPicture()[static_cast<std::size_t>(question_.photograph_cut)].key));
-    if (!question_.job.empty() && !runner_.hasFailed()) set(step.given, "feed_mm_rev", job_.cutting.finish.feed_mm_rev);
+    if (machine_.job() && !runner_.hasFailed())
+        set(step.given, "feed_mm_rev", machine_.job()->cutting.finish.feed_mm_rev);
     const auto cut = cutAt(question_.photograph_z_mm);
     const auto model_hz = cut ? chatterFrequencyAt(results_->speeds, cut->before_rpm) : std::nullopt;
     setIfGiven(step.given, "expect_hz", model_hz);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/cam/job.h"
+#include "engine/chain/chain_machine.h"
 #include "engine/chain/chain_question.h"
 #include "engine/chain/held_bar.h"
 #include "engine/chain/step_results.h"
@@ -38,11 +38,9 @@ private:
 
     StepRequest asked(const char* id, std::vector<std::string> operands, Values given = {}) const;
     Progress share(double from, double to, Text stage) const { return progress_.part(from, to, stage); }
-    void readJob();  ///< if given
     void addPreparationInputs();
     std::string extension() const;
     Shaft readPart();
-    Interval usedSpeeds() const;
     void deflectOne(const char* id, const HeldBar& held, const std::string& number, double from, double to);
     void checkCorrected();
     std::optional<LocalCut> cutAt(const std::optional<double>& z_mm) const;
@@ -52,7 +50,7 @@ private:
     StepRunner& runner_;
     io::InputFiles& inputs_;
     const Progress& progress_;
-    cam::Job job_;
+    ChainMachine machine_;
     std::string shaft_;          // path of the drawing
     bool twoClampings_ = false;  // of the program
     std::optional<HeldBar> second_;

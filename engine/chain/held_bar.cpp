@@ -8,11 +8,7 @@ namespace lathelier::chain {
 
 HeldBar firstBar(const cam::Job& job)
 {
-    HeldBar held{cam::stockOf(job), job.stock.face_allowance_mm, false};
-    // The beam model ends at the chuck face.
-    const double beyond_mm = held.bar.length_mm() - (job.setup.chuck_face_z_mm + job.stock.face_allowance_mm);
-    if (beyond_mm > 0 && !held.bar.segments.empty()) held.bar.segments.back().length_mm -= beyond_mm;
-    return held;
+    return {cam::heldStock(job), job.stock.face_allowance_mm, false};
 }
 
 std::optional<HeldBar> secondBar(const Shaft& part, const cam::Job& job)

@@ -26,18 +26,6 @@ bool isOfRecognition(const std::string& key)
     return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-void requireFiles(const ChainQuestion& question)
-{
-    const auto require = [](const std::string& given, const char* key, Text expected) {
-        if (given.empty())
-            throw Error(errors::valueNotUnderstood,
-                        {{"parameter", task::optionName(key)}, {"found", ""}, {"expected", expected}});
-    };
-    require(question.out, "out", LT_TEXT("Engine", "a folder"));
-    require(question.machine, "machine", LT_TEXT("Engine", "a spindle (SPINDLE.json)"));
-    require(question.job, "job", LT_TEXT("Engine", "a job (JOB.json)"));
-}
-
 /// Default values are omitted, as in the window, so that equal questions are recognised.
 ChainQuestion questionOf(const project::PanelState& state)
 {
@@ -46,7 +34,10 @@ ChainQuestion questionOf(const project::PanelState& state)
     for (const auto& [key, value] : state.parameters)
         if (!isOfRecognition(key)) set(own, key, value);
     auto question = fromValues<ChainQuestion>(own);
-    requireFiles(question);
+    if (question.out.empty())
+        throw Error(
+            errors::valueNotUnderstood,
+            {{"parameter", task::optionName("out")}, {"found", ""}, {"expected", LT_TEXT("Engine", "a folder")}});
     const project::Source& scan = state.inputs.at(scanRole);
     question.scan = scan.path;
     for (const auto& [key, value] : state.parameters)

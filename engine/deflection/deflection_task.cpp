@@ -18,16 +18,11 @@ namespace lathelier::deflection {
 namespace {
 
 /// What the inputs state, by precedence.
-struct Stated {
-    TurningSetup setup;
-    std::optional<Shaft> stock;
-};
-
-Stated takeMachine(const project::PanelState& state, const SetupChanges& changes, Stores& stores,
-                   const Progress& progress, task::Sources& sources)
+HeldSetup takeMachine(const project::PanelState& state, const SetupChanges& changes, Stores& stores,
+                      const Progress& progress, task::Sources& sources)
 {
-    const SetupFile file = *task::take<SetupInput>(state, setupRole, stores, progress.part(0, 0.3), sources);
-    Stated stated{file.setup, file.stock};
+    HeldSetup stated = *task::take<SetupInput>(state, setupRole, stores, progress.part(0, 0.3), sources);
+    if (!state.inputs.at(setupRole).item.empty()) noteSprings(stated.setup, sources.notes);
     if (auto stock = task::take<io::ShaftInput>(state, stockRole, stores, progress.part(0.3, 0.6), sources)) {
         stated.stock = *std::move(stock);
         const bool is_item = !state.inputs.at(stockRole).item.empty();
@@ -52,7 +47,7 @@ Stated takeMachine(const project::PanelState& state, const SetupChanges& changes
 TurningJob jobOf(const project::PanelState& state, Stores& stores, const Progress& progress, task::Sources& sources,
                  DeflectionOutcome& outcome)
 {
-    Stated stated = takeMachine(state, outcome.question.changes, stores, progress.part(0, 0.3), sources);
+    HeldSetup stated = takeMachine(state, outcome.question.changes, stores, progress.part(0, 0.3), sources);
     gcode::ProgramTaken taken =
         gcode::takeProgram(state, outcome.question.drafts, stores, progress.part(0.3, 0.5), sources);
     const gcode::ToolTable tools = task::take<gcode::ToolTableInput>(state, gcode::toolsRole, stores, progress, sources)
@@ -64,7 +59,7 @@ TurningJob jobOf(const project::PanelState& state, Stores& stores, const Progres
         if (!outcome.question.changes.z_zero_mm) stated.setup.z_zero_mm = taken.item->z_zero_mm;
         sources.notes.push_back({notes::barOfProgram, {{"length_mm", stated.stock->length_mm()}}});
     }
-    if (!stated.stock) throw Error(errors::stockMissing, {{"path", state.inputs.at(setupRole).path}});
+    if (!stated.stock) throw Error(errors::stockMissing, {{"path", task::nameOf(state.inputs.at(setupRole))}});
     const std::string name = task::nameOf(state.inputs.at(gcode::programRole));
     outcome.question.reading.file_name = name;
     gcode::takeSubprograms(taken.text, outcome.question.reading, tools, progress, sources);

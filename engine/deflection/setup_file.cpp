@@ -57,12 +57,17 @@ TurningSetup readSetup(const std::string& json, Notes& notes)
     requireGroup(root, "tool", LT_TEXT("Engine", "the insert"));
     requireGroup(root, "chuck", LT_TEXT("Engine", "the springs of the chuck"));
     auto setup = io::readFields<TurningSetup>(root, notes);
+    noteSprings(setup, notes);
+    return setup;
+}
+
+void noteSprings(const TurningSetup& setup, Notes& notes)
+{
     const auto is_stated = [](const HoldingSprings& springs) {
         return springs.axial_N_mm > 0 || springs.torsion_N_mm_rad > 0;
     };
     if (is_stated(setup.chuck) || (setup.tailstock && is_stated(*setup.tailstock)))
         notes.push_back({notes::springsBesideDiameter, {}});
-    return setup;
 }
 
 std::string setupText(const TurningSetup& setup)

@@ -1,10 +1,10 @@
-// SETUP.json: the described fields of TurningSetup as JSON, errors with line and column.
+// SETUP.json: the described fields of TurningSetup as JSON, errors with line and column; set-ups as inputs of tasks.
 #pragma once
 
 #include <string>
 
 #include "engine/core/error.h"
-#include "engine/deflection/setup.h"
+#include "engine/deflection/setup_item.h"
 #include "engine/io/file_kind.h"
 #include "engine/shaft/shaft.h"
 
@@ -14,15 +14,16 @@ namespace lathelier::deflection {
 /// keyOutOfRange. Notes: unknownKey, springsBesideDiameter.
 TurningSetup readSetup(const std::string& json, Notes& notes);
 
+/// Notes of a set-up that is no file. Notes: springsBesideDiameter.
+void noteSprings(const TurningSetup& setup, Notes& notes);
+
 /// The text of a file that readSetup() reads to the same bits.
 std::string setupText(const TurningSetup& setup);
 
-/// A set-up with its stock and the facts of its file.
-struct SetupFile {
-    TurningSetup setup;
-    std::optional<Shaft> stock;  ///< from the file named in the set-up; none: no file named
-    io::FileFacts facts;         ///< as setupFiles() has them
-    Notes notes;                 ///< of both readings, with their paths
+/// A set-up with its stock, from the file named in it, and the facts of its file.
+struct SetupFile : HeldSetup {
+    io::FileFacts facts;  ///< as setupFiles() has them
+    Notes notes;          ///< of both readings, with their paths
 };
 
 /// Also reads the stock file (io/shaft_file.h: text format or SHAFT.json), relative to the file of the set-up. Errors
@@ -36,12 +37,13 @@ const io::FileKind& setupFiles();
 /// A set-up as an input of a task (task/inputs.h).
 struct SetupInput {
     using File = SetupFile;
-    using Value = SetupFile;
-    static constexpr const char* item = "";
+    using Value = HeldSetup;
+    static constexpr const char* item = setupItem;
 
     static File read(const io::FileToRead& file) { return loadSetup(file); }
     static Value valueOf(const File& file) { return file; }
     static io::FileKinds kinds() { return {&setupFiles()}; }
+    static std::optional<Value> ofItem(const Values& values) { return setupOf(values); }
 };
 
 }  // namespace lathelier::deflection

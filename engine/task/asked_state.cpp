@@ -76,7 +76,7 @@ bool isOfCommandLine(const Input& input)
     return input.takes_files && !input.in_window_only;
 }
 
-project::PanelState askedState(const Task& task, const std::vector<std::string>& operands, const Values& parameters)
+project::PanelState statedState(const Task& task, const std::vector<std::string>& operands, const Values& parameters)
 {
     project::PanelState state;
     std::size_t next = 0;
@@ -88,9 +88,6 @@ project::PanelState askedState(const Task& task, const std::vector<std::string>&
             const auto* const path = std::get_if<std::string>(given);
             if (path && !path->empty()) state.inputs[input.role].path = *path;
         }
-        if (isNeeded(task, input) && !sourceOf(state, input.role))
-            throw Error(errors::valueNotUnderstood,
-                        {{"parameter", optionName(input.option)}, {"found", ""}, {"expected", input.label}});
     }
     for (const auto& [key, value] : parameters) {
         const auto is_field = [&key = key, &task](const FieldInfo& field) {
@@ -102,9 +99,17 @@ project::PanelState askedState(const Task& task, const std::vector<std::string>&
         else if (std::none_of(task.inputs.begin(), task.inputs.end(), is_input))
             for (auto& [role, source] : state.inputs) set(source.import, key, value);
     }
+    return state;
+}
+
+void requireComplete(const Task& task, const project::PanelState& state)
+{
+    for (const Input& input : task.inputs)
+        if (isOfCommandLine(input) && isNeeded(task, input) && !sourceOf(state, input.role))
+            throw Error(errors::valueNotUnderstood,
+                        {{"parameter", optionName(input.option)}, {"found", ""}, {"expected", input.label}});
     requireOne(task, state);
     refuseWhatSaysNothing(task, state);
-    return state;
 }
 
 void blame(Error& error, const Task& task, const project::PanelState& state)

@@ -4,7 +4,6 @@
 
 #include "engine/core/failure.h"
 #include "engine/report/result_json.h"
-#include "engine/task/asked_state.h"
 
 namespace lathelier::task {
 namespace {
@@ -33,13 +32,16 @@ void checkExports(const Task& task, const Request& request)
 
 void run(const Task& task, const Request& request, Reply& reply, const Progress& progress)
 {
-    reply.state = askedState(task, request.operands, request.parameters);
+    project::PanelState state = statedState(task, request.operands, request.parameters);
     checkExports(task, request);
     Wanted wanted;
     wanted.in_full = request.in_full;
     for (const auto& [option, path] : request.exports) wanted.exports.push_back(option);
     Stores stores;
     try {
+        if (request.complete) request.complete(state, stores, reply.sources);
+        requireComplete(task, state);
+        reply.state = std::move(state);
         reply.outcome = task.run(reply.state, wanted, stores, reply.sources, progress);
     } catch (...) {
         reply.notes = reply.sources.notes;

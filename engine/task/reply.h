@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/task/asked_state.h"
 #include "engine/task/task.h"
 
 namespace lathelier::task {
@@ -15,6 +16,7 @@ struct Request {
     Values parameters;                           ///< by key: options of inputs, fields, reading options
     std::map<std::string, std::string> exports;  ///< by Export::option: path of the file to write
     bool in_full = true;                         ///< Wanted::in_full
+    Completion complete = {};                    ///< none: the request stands as it is
 };
 
 struct Reply {

@@ -6,6 +6,7 @@
 
 #include "engine/cam/check/correction_file.h"
 #include "engine/cam/job_file.h"
+#include "engine/cam/job_item.h"
 #include "engine/cam/post/post_file.h"
 
 namespace lathelier::cam {
@@ -13,11 +14,14 @@ namespace lathelier::cam {
 struct JobInput {
     using File = JobFile;
     using Value = Job;
-    static constexpr const char* item = "";
+    static constexpr const char* item = jobItem;
 
     static File read(const io::FileToRead& file) { return loadJob(file); }
     static Value valueOf(const File& file) { return file.job; }
     static io::FileKinds kinds() { return {&jobFiles()}; }
+    static std::optional<Value> ofItem(const Values& values) { return jobOf(values); }
+    /// Of its file, so that the digest of an item is that of the file with the same content.
+    static std::string contentOf(const Values& values) { return jobText(*jobOf(values)); }
 };
 
 struct PostInput {

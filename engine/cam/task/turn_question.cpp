@@ -5,6 +5,7 @@
 
 #include "engine/cam/post/post.h"
 #include "engine/core/field_within.h"
+#include "engine/task/edited_segments.h"
 
 namespace lathelier::cam {
 namespace {
@@ -13,14 +14,6 @@ namespace {
 constexpr double usualBar_mm = 40, usualChuck_mm = 110, usualAllowance_mm = 1;
 constexpr double usualDepth_mm = 2, usualFeed_mm_rev = 0.25, usualSpeed_m_min = 180;
 constexpr double finishFeed_mm_rev = 0.1, finishSpeed_m_min = 200;
-
-/// Those that are built in, by name.
-std::vector<FieldChoice> postChoices()
-{
-    std::vector<FieldChoice> choices;
-    for (const std::string& name : postNames()) choices.push_back({name, labelOfPost(name)});
-    return choices;
-}
 
 std::vector<Field<TurningQuestion>> turningFields()
 {
@@ -58,6 +51,13 @@ std::vector<Field<TurningQuestion>> turningFields()
 }
 
 }  // namespace
+
+std::vector<FieldChoice> postChoices()
+{
+    std::vector<FieldChoice> choices;
+    for (const std::string& name : postNames()) choices.push_back({name, labelOfPost(name)});
+    return choices;
+}
 
 Text labelOfPost(const std::string& post)
 {
@@ -107,8 +107,7 @@ const std::vector<Field<TurningQuestion>>& fieldsOf(const TurningQuestion*)
 
 std::string identity(const project::PanelState& state)
 {
-    const auto source = state.inputs.find(jobRole);
-    return source == state.inputs.end() ? std::string() : source->second.path;
+    return task::identity(state, jobRole);
 }
 
 bool formRules(const TurningQuestion& question, const project::PanelState& state)

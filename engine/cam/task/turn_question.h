@@ -24,6 +24,9 @@ inline constexpr const char* spindleRole = "spindle";  ///< of the machine
 /// Shown name of a built-in post; of another one its name.
 Text labelOfPost(const std::string& post);
 
+/// The built-in posts as choices of a field.
+std::vector<FieldChoice> postChoices();
+
 /// A program that was changed by hand.
 struct TurningDraft {
     int setup = 1;               ///< clamping, 1 or 2
@@ -39,7 +42,7 @@ struct TurningQuestion {
     std::string post = "fanuc_a";      ///< control that the program is for: a built-in post, or the path of one
     TurningParameters plan;            ///< clampings, relation, part, operations that are left out
     Job job;                           ///< job of the form; has precedence if it has tools
-    std::string job_of;                ///< identity() of the file that the form was changed from
+    std::string job_of;                ///< identity() of the job that the form was changed from
     std::vector<TurningDraft> drafts;  ///< changes by hand, at most one for each clamping
 
     TurningQuestion();
@@ -48,7 +51,7 @@ struct TurningQuestion {
 /// Fields of the job, `job_of` and drafts are kept by a window.
 const std::vector<Field<TurningQuestion>>& fieldsOf(const TurningQuestion*);
 
-/// Identity of the job file; empty without one.
+/// Identity of the job that is given, a file or an item; empty without one.
 std::string identity(const project::PanelState& state);
 
 /// Whether the form has precedence over the file.

@@ -46,7 +46,8 @@ Job takeJob(TurnOutcome& outcome, const project::PanelState& state, Stores& stor
     outcome.is_changed = formRules(outcome.question, state);
     if (!outcome.is_changed) return *of_file;
     job.shaft = of_file->shaft;
-    if (!(job == *of_file)) sources.notes.push_back({notes::jobChanged, {{"source", state.inputs.at(jobRole).path}}});
+    if (!(job == *of_file))
+        sources.notes.push_back({notes::jobChanged, {{"source", task::nameOf(state.inputs.at(jobRole))}}});
     return job;
 }
 
@@ -54,8 +55,9 @@ Shaft takePart(const Job& job, const project::PanelState& state, Stores& stores,
                const Progress& progress)
 {
     if (auto part = task::take<cad::PartInput>(state, partRole, stores, progress, sources)) return *std::move(part);
-    if (!job.shaft) throw Error(errors::jobWithoutShaft, {{"path", identity(state)}});
-    return *job.shaft;
+    if (job.shaft) return *job.shaft;
+    const project::Source* const source = task::sourceOf(state, jobRole);
+    throw Error(errors::jobWithoutShaft, {{"path", source ? task::nameOf(*source) : std::string()}});
 }
 
 bool isFile(const std::string& stated)

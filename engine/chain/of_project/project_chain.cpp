@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/cam/job_file.h"
+#include "engine/cam/job_item.h"
 #include "engine/core/field_within.h"
 #include "engine/core/units.h"
 #include "engine/deflection/setup_file.h"
@@ -13,6 +14,7 @@
 #include "engine/receptance/spindle/spindle_file.h"
 #include "engine/receptance/spindle/spindle_item.h"
 #include "engine/shaft/shaft_item.h"
+#include "engine/task/edited_segments.h"
 
 namespace lathelier::chain {
 namespace fs = std::filesystem;
@@ -42,9 +44,10 @@ bool isOfTheChain(const project::Project& project, const project::Source& source
     return item == project.items.end() || item->second.origin.panel == chainKey;
 }
 
+using Places = std::vector<std::pair<const char*, const char*>>;  // panel and role
+
 /// The first of these inputs that is given.
-const project::Source* firstOf(const project::Project& project,
-                               const std::vector<std::pair<const char*, const char*>>& places)
+const project::Source* firstOf(const project::Project& project, const Places& places)
 {
     for (const auto& [panel, role] : places)
         if (const project::Source* const source = sourceAt(project, panel, role))
@@ -78,10 +81,21 @@ public:
         if (item->second.kind == receptance::spindleItem)
             if (const auto spindle = receptance::spindleOf(item->second.values))
                 return made(name, receptance::spindleText(*spindle));
+        if (item->second.kind == cam::jobItem)
+            if (const auto job = cam::jobOf(item->second.values)) return made(name, cam::jobText(*job));
+        if (item->second.kind == deflection::setupItem)
+            if (auto held = deflection::setupOf(item->second.values)) return madeSetup(name, *std::move(held));
         return {};
     }
 
 private:
+    /// Its stock stands beside it.
+    std::string madeSetup(const char* name, deflection::HeldSetup held)
+    {
+        if (held.stock) held.setup.stock = fs::path(made("stock", io::shaftText(*held.stock))).filename().string();
+        return made(name, deflection::setupText(held.setup));
+    }
+
     const project::Project& project_;
     std::string folder_;
     AskedChain& asked_;
@@ -96,8 +110,8 @@ std::string changedJob(const project::Project& project)
     const Value* const tools = find(values, "tools");
     const Value* const of = find(values, "job_of");
     const auto* const rows = tools ? std::get_if<Rows>(tools) : nullptr;
-    const project::Source* const file = sourceAt(project, "turning", "job");
-    if (!rows || rows->rows.empty() || !file || !of || *of != Value(file->path)) return {};
+    const std::string present = task::identity(turning->second, jobRole);
+    if (!rows || rows->rows.empty() || present.empty() || !of || *of != Value(present)) return {};
     try {
         return cam::jobText(fromValues<cam::Job>(values));
     } catch (const Error&) {
@@ -194,20 +208,24 @@ AskedChain askedChain(const project::Project& project)
     ChainQuestion& question = asked.question;
     const auto own = project.panels.find(chainKey);
     const auto settings = fromValues<ChainSettings>(own == project.panels.end() ? Values{} : own->second.parameters);
-    const auto pathAt = [&](const std::vector<std::pair<const char*, const char*>>& places) {
+    const auto pathAt = [&](const Places& places) {
         const project::Source* const source = firstOf(project, places);
         return source ? source->path : std::string();
     };
     question.scan = pathAt({{chainKey, scanRole}, {"recognise", "scan"}});
-    question.job = pathAt({{chainKey, jobRole}, {"turning", "job"}});
-    question.setup = pathAt({{chainKey, setupRole}, {"deflection", "setup"}});
+    const Places jobs{{chainKey, jobRole}, {"turning", "job"}}, setups{{chainKey, setupRole}, {"deflection", "setup"}};
+    question.shop.clear();  // what no panel gives is missing
+    question.job = pathAt(jobs);
+    question.setup = pathAt(setups);
     question.copy = pathAt({{chainKey, copyRole}, {"compare", "copy"}});
     question.photograph_before = pathAt({{chainKey, beforeRole}, {"surface", beforeRole}});
     question.photograph_after = pathAt({{chainKey, afterRole}, {"surface", afterRole}});
-    if (!sourceAt(project, chainKey, setupRole) && !question.setup.empty())
-        asked.deflection = stateOfPanel(project, "deflection");
     question.out = settings.folder.empty() ? proposedFolder(question) : settings.folder;
     Inputs inputs(project, question.out, asked);
+    if (question.job.empty()) question.job = inputs.pathOf(firstOf(project, jobs), "job");
+    if (question.setup.empty()) question.setup = inputs.pathOf(firstOf(project, setups), "setup");
+    if (!sourceAt(project, chainKey, setupRole) && !question.setup.empty())
+        asked.deflection = project::resolved(project, "deflection");
     question.drawing = inputs.pathOf(
         firstOf(project, {{chainKey, drawingRole}, {"turning", "shaft"}, {"drawing", "shaft"}}), "drawing");
     question.machine = inputs.pathOf(

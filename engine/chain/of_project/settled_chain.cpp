@@ -11,14 +11,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Set-up as changed in the panel; empty: as in the file.
-std::string changedSetup(const project::PanelState& state, Stores& stores, const Progress& progress)
+/// The set-up of the panel with its stock named absolutely; that of an item as it was made for the chain.
+deflection::TurningSetup statedSetup(const AskedChain& asked, Stores& stores, const Progress& progress)
 {
-    const project::Source& source = state.inputs.at(deflection::setupRole);
+    const project::Source& source = asked.deflection->inputs.at(deflection::setupRole);
+    if (!source.item.empty()) {
+        for (const MadeInput& made : asked.made)
+            if (Notes noted; made.path == asked.question.setup) return deflection::readSetup(made.text, noted);
+        task::throwItemNotThere(source.item, deflection::setupItem);
+    }
     const auto loaded = stores.of<task::CacheOf<deflection::SetupInput>>()->load(source, progress);
     deflection::TurningSetup stated = loaded->file.setup;
     if (!stated.stock.empty())
         stated.stock = fs::absolute(fs::path(source.path).parent_path() / stated.stock).lexically_normal().string();
+    return stated;
+}
+
+/// Set-up as changed in the panel; empty: as it is given.
+std::string changedSetup(const AskedChain& asked, Stores& stores, const Progress& progress)
+{
+    const project::PanelState& state = *asked.deflection;
+    const deflection::TurningSetup stated = statedSetup(asked, stores, progress);
     deflection::TurningSetup setup = stated;
     task::Sources unused;
     if (const auto spindle =
@@ -39,7 +52,7 @@ AskedChain settled(AskedChain asked, Stores& stores, const Progress& progress)
 {
     if (!asked.deflection || asked.deflection->inputs.count(deflection::setupRole) == 0) return asked;
     try {
-        if (std::string text = changedSetup(*asked.deflection, stores, progress); !text.empty()) {
+        if (std::string text = changedSetup(asked, stores, progress); !text.empty()) {
             asked.made.push_back(madeInput(asked.question.out, "setup", std::move(text)));
             asked.question.setup = asked.made.back().path;
         }

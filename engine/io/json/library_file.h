@@ -12,6 +12,21 @@ namespace lathelier::io {
 
 inline constexpr std::size_t mostLibraryEntries = 1000;
 
+/// Entries of a list, whose fields are `described`. Errors as readLibrary().
+template <class T>
+std::vector<LibraryEntry<T>> readLibraryList(const JsonCursor& list, const std::vector<FieldInfo>& described,
+                                             Notes& notes)
+{
+    std::vector<LibraryEntry<T>> library;
+    list.items(mostLibraryEntries, [&](const JsonCursor& item) {
+        const Text text = LT_TEXT("Engine", "a text");
+        library.push_back({item.at("key", text).string(),
+                           fromValues<T>(valuesOf(item, described, notes, {"key", "source"})),
+                           item.at("source", text).string()});
+    });
+    return library;
+}
+
 /// `required`: fields that every entry states, besides those that are required anyway. Errors with line and column:
 /// malformed, keyMissing, keyOutOfRange, valueStatedTwice.
 template <class T>
@@ -25,15 +40,8 @@ std::vector<LibraryEntry<T>> readLibrary(const std::string& json, const char* li
             info.required = true;
             info.optional = false;
         }
-    std::vector<LibraryEntry<T>> library;
     Notes notes;
-    document.root().at(list, LT_TEXT("Engine", "a list")).items(mostLibraryEntries, [&](const JsonCursor& item) {
-        const Text text = LT_TEXT("Engine", "a text");
-        library.push_back({item.at("key", text).string(),
-                           fromValues<T>(valuesOf(item, described, notes, {"key", "source"})),
-                           item.at("source", text).string()});
-    });
-    return library;
+    return readLibraryList<T>(document.root().at(list, LT_TEXT("Engine", "a list")), described, notes);
 }
 
 }  // namespace lathelier::io

@@ -1,0 +1,52 @@
+#include "engine/walk/shop_supply.h"
+
+#include "engine/cam/job_bodies.h"
+#include "engine/cam/job_item.h"
+#include "engine/cam/task/job_input.h"
+#include "engine/cam/task/turn_question.h"
+#include "engine/deflection/setup_item.h"
+#include "engine/io/file.h"
+#include "engine/receptance/spindle/spindle_item.h"
+#include "engine/shop/shop_fill.h"
+#include "engine/shop/shop_job.h"
+
+namespace lathelier::walk {
+namespace {
+
+cam::Job jobFor(const shop::Shop& shop, const Shaft& part, const project::Project& project, Stores& stores,
+                const Progress& progress, Notes& notes)
+{
+    const project::PanelState state = project::resolved(project, programPlace);
+    if (cam::hasTools(state)) {
+        const auto question = fromValues<cam::TurningQuestion>(state.parameters);
+        if (state.inputs.count(cam::jobRole) == 0 || cam::formRules(question, state)) return question.job;
+    }
+    task::Sources sources;
+    if (auto given = task::take<cam::JobInput>(state, cam::jobRole, stores, progress, sources)) return *std::move(given);
+    cam::Job job = shop::jobOf(shop, part);
+    shop::noteAssumed(shop, shop::usedBy(job), notes);
+    return job;
+}
+
+}  // namespace
+
+Supply supplyOf(const shop::StatedShop& stated)
+{
+    const shop::Shop shop = stated.shop();
+    Supply supply;
+    supply.digest = io::sha256(shop::shopText(stated));
+    supply.has = [](const std::string& kind) {
+        return kind == cam::jobItem || kind == deflection::setupItem || kind == receptance::spindleItem;
+    };
+    supply.needs_part = [](const std::string& kind) { return kind != receptance::spindleItem; };
+    supply.fill = [shop](project::PanelState& state, const task::Task& task, const Shaft* part, Notes& notes) {
+        shop::fillFromShop(state, task, shop, part, notes);
+    };
+    supply.held = [shop](const Shaft& part, const project::Project& project, Stores& stores, const Progress& progress,
+                         Notes& notes) {
+        return cam::heldPart(part, jobFor(shop, part, project, stores, progress, notes));
+    };
+    return supply;
+}
+
+}  // namespace lathelier::walk

@@ -169,8 +169,9 @@ void Walk::promiseInput(const Place& place, const task::Input& input, Promise& p
     if (is_one && (!givenOf(task, promise.state).empty() || (!is_named && namesOneOf(place)))) return;
     if (saysNothing(task, promise.state, input.role)) return;
     const Place* const giver = giverOf(place, input.item_kind);
+    const bool has_work = !promise.state.inputs.empty() || !givenOf(task, promise.state).empty();
     const bool is_supplied = !giver && supply_.has && supply_.has(input.item_kind) &&
-                             (!supply_.needs_part(input.item_kind) || giverOf(place, shaftItem));
+                             (supply_.needs_part(input.item_kind) ? giverOf(place, shaftItem) != nullptr : has_work);
     if (!giver && !is_supplied) return;
     const std::string name = itemName(giver ? giver->id : supplyName, input.item_kind);
     if (isReplacedByTable(task, promise.state, name)) return;

@@ -53,8 +53,6 @@ PanelFacts drawingPanelFacts()
     PanelFacts facts = factsOf(cad::drawTask(), "drawing", "drawing", roles, {});
     facts.part_inputs = roles;
     facts.has_work = [](const project::PanelState& state) { return task::hasShaft(state, cad::shaftRole); };
-    facts.gives = {shaftItem};
-    facts.fills = {cad::shaftRole};
     facts.answer = answeredBy(checkAndDraw);
     facts.make = [](Session& session) -> PanelBase* { return new DrawingPanel(session); };
     return facts;

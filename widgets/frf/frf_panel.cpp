@@ -30,8 +30,6 @@ PanelFacts frfPanelFacts()
 {
     PanelFacts facts = factsOf(modesTask(), "frf", "frf", roles, {});
     facts.part_inputs = {responseRole};
-    facts.gives = {frfItem};
-    facts.may_give = [](const project::PanelState& state) { return state.inputs.count(responseRole) > 0; };
     facts.answer = answeredBy(receptance::answerModes);
     facts.make = [](Session& session) -> PanelBase* { return new FrfPanel(session); };
     return facts;

@@ -41,8 +41,6 @@ PanelFacts lobesPanelFacts()
 {
     PanelFacts facts = factsOf(stability::lobesTask(), "lobes", "chatter", roles, {});
     facts.part_inputs = roles;
-    facts.fills = {stability::spindleRole};
-    facts.takes_held = true;
     facts.answer = answeredBy(stability::answerLobes);
     facts.make = [](Session& session) -> PanelBase* { return new LobesPanel(session); };
     return facts;

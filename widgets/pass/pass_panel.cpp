@@ -69,8 +69,6 @@ PanelFacts passPanelFacts()
     facts.roles = passRoles();
     facts.missing = missingOfPass;
     facts.has_work = {};
-    facts.fills = {stability::shaftRole, stability::spindleRole};
-    facts.takes_held = true;
     facts.answer = answeredBy(overPass);
     facts.make = [](Session& session) -> PanelBase* { return new PassPanel(session); };
     return facts;

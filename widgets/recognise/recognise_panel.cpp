@@ -40,7 +40,6 @@ PanelFacts recognisePanelFacts()
 {
     PanelFacts facts = factsOf(cad::recognizeTask(), "recognise", "recognise", roles, {});
     facts.part_inputs = roles;
-    facts.gives = {shaftItem};
     facts.answer = answeredBy(recogniseAndPart);
     facts.make = [](Session& session) -> PanelBase* { return new RecognisePanel(session); };
     return facts;

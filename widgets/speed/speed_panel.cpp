@@ -44,8 +44,6 @@ PanelFacts speedPanelFacts()
         return is_there ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "Spindle")};
     };
     facts.has_work = {};
-    facts.fills = {stability::spindleRole};
-    facts.takes_held = true;
     facts.answer = answeredBy(stability::answerSpeed);
     facts.make = [](Session& session) -> PanelBase* { return new SpeedPanel(session); };
     return facts;

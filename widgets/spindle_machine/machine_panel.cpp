@@ -37,7 +37,6 @@ bool isThere(const project::PanelState& state)
 PanelFacts machinePanelFacts()
 {
     PanelFacts facts = factsOf(receptance::spindleTask(), "spindle", "spindle", roles, {});
-    facts.gives = {receptance::spindleItem};
     facts.answer = answeredBy(receptance::answerSpindle);
     facts.make = [](Session& session) -> PanelBase* { return new MachinePanel(session); };
     facts.missing = [](const project::PanelState& state) {

@@ -29,7 +29,6 @@ PanelFacts tapPanelFacts()
 {
     PanelFacts facts = factsOf(tapTask(), "tap", "tap", roles, {});
     facts.part_inputs = roles;
-    facts.gives = {frfItem};
     facts.answer = answeredBy(receptance::answerTap);
     facts.make = [](Session& session) -> PanelBase* { return new TapPanel(session); };
     return facts;

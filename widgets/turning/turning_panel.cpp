@@ -52,8 +52,6 @@ PanelFacts turningPanelFacts()
     facts.kinds = {&cam::jobFiles()};
     facts.roles = panelInputs().roles;
     facts.part_inputs = {cam::partRole, cam::programRole};
-    facts.gives = {gcode::programItem};
-    facts.fills = {cam::jobRole, cam::spindleRole};
     facts.answer = answeredBy(cam::turningOutcome);
     facts.make = [](Session& session) -> PanelBase* { return new TurningPanel(session); };
     facts.missing = missingInputs;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/project/input_key.h"
+#include "engine/walk/part_places.h"
 
 namespace lathelier {
 
@@ -19,22 +20,21 @@ const Workspace& workspaceOf(const std::string& id)
 
 std::vector<walk::Place> placesOf(const std::vector<PanelFacts>& table)
 {
-    std::vector<walk::Place> places;
+    std::vector<walk::Place> places = walk::partPlaces();
+    std::erase_if(places, [&](const walk::Place& place) {
+        return std::none_of(table.begin(), table.end(), [&](const PanelFacts& facts) { return facts.id == place.id; });
+    });
     for (const PanelFacts& facts : table) {
-        if (!facts.task || !facts.answer) continue;
-        walk::Place place;
-        place.id = facts.id;
-        place.state = facts.stateKey();
-        place.title = facts.title;
-        place.task = facts.task;
-        place.begins_with = facts.begins_with;
-        place.gives = facts.gives;
-        place.may_give = facts.may_give;
-        place.fills = facts.fills;
-        place.takes_held = facts.takes_held;
-        place.missing = facts.missing ? facts.missing : missingOf(facts.roles);
-        place.answer = facts.answer;
-        places.push_back(std::move(place));
+        if (!facts.answer) continue;
+        auto place = std::find_if(places.begin(), places.end(), [&](const auto& one) { return one.id == facts.id; });
+        if (place == places.end()) place = places.emplace(places.end());
+        place->id = facts.id;
+        place->state = facts.stateKey();
+        place->title = facts.title;
+        place->task = facts.task;
+        place->begins_with = facts.begins_with;
+        place->missing = facts.missing ? facts.missing : missingOf(facts.roles);
+        place->answer = facts.answer;
     }
     return places;
 }

@@ -66,12 +66,6 @@ struct PanelFacts {
     /// Answers a complete state; none: the panel answers by itself.
     std::function<walk::PlaceAnswer(const project::PanelState&, Stores&, task::Sources&, const Progress&)> answer = {};
 
-    /// What it gives and takes in the walk through a part, as walk::Place has it.
-    std::vector<std::string> gives = {};
-    std::function<bool(const project::PanelState&)> may_give = {};
-    std::vector<std::string> fills = {};
-    bool takes_held = false;
-
     /// Values that the panel begins with in place of the task's defaults.
     Values begins_with = {};
 
@@ -99,8 +93,7 @@ struct PanelFacts {
     const std::string& stateKey() const { return state.empty() ? id : state; }
 };
 
-/// The panels that stand over tasks as places of a part, in the order of the work; the others keep the order of the
-/// table behind them.
+/// The panels as places of a part: those of walk::partPlaces() with what their panels ask and answer, then the others.
 std::vector<walk::Place> placesOf(const std::vector<PanelFacts>& table);
 
 bool hasWork(const PanelFacts& facts, const project::PanelState& state);

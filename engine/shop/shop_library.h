@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/built_in_text.h"
+#include "engine/core/error.h"
 #include "engine/core/library.h"
 #include "engine/shop/shop.h"
 

@@ -47,6 +47,9 @@ public:
     /// What promised() filled in.
     const std::vector<Taken>& taken(const std::string& id) const;
 
+    /// Of all that the answer of the place follows from; precondition: place().
+    const std::string& digest(const std::string& id) const { return promiseOf(*place(id)).digest; }
+
     /// Whether nothing is missing in promised().
     bool canAnswer(const std::string& id) const;
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/built_in_text.h"
+#include "engine/core/error.h"
 #include "engine/core/library.h"
 #include "engine/shop/shop.h"
 
@@ -49,7 +50,8 @@ const ShopLibrary& shopLibrary();
 /// with line and column: malformed, keyMissing, keyOutOfRange, valueStatedTwice.
 ShopLibrary readLibrary(const io::JsonCursor& object, Notes& notes);
 
-/// `own` first, then those of `library` whose keys it does not have.
+/// `own` first, then those of `library` whose keys it does not have. An own entry that equals that of the library is
+/// not an own one.
 ShopLibrary united(ShopLibrary own, const ShopLibrary& library);
 
 /// Error shopEntryUnknown (table, key, known ones).

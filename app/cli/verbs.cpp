@@ -20,6 +20,7 @@
 #include "engine/receptance/task/spindle_task.h"
 #include "engine/receptance/task/tap_task.h"
 #include "engine/shop/shop_file.h"
+#include "engine/shop/task/shop_task.h"
 #include "engine/stability/task/lobes_task.h"
 #include "engine/stability/task/simulate_task.h"
 #include "engine/stability/task/speed_task.h"
@@ -45,6 +46,7 @@ const std::vector<Verb>& verbs()
                                 verbOf(stability::lobesTask()),
                                 verbOf(stability::speedTask()),
                                 verbOf(stability::simulateTask()),
+                                verbOf(shop::shopTask()),
                                 verbOf(deflection::toolpathTask()),
                                 verbOf(cam::turnTask()),
                                 verbOf(cam::checkTask()),

@@ -28,12 +28,18 @@ void readTable(const io::JsonCursor& object, const Table& table, std::vector<Sho
         entries.push_back({std::move(entry), true});
 }
 
+/// An own entry that is as the built-in one stays assumed: nobody has stated anything.
 template <class T>
-void addMissing(std::vector<ShopEntry<T>>& own, const std::vector<ShopEntry<T>>& others)
+void unite(std::vector<ShopEntry<T>>& own, const std::vector<ShopEntry<T>>& others)
 {
-    for (const ShopEntry<T>& other : others)
-        if (std::none_of(own.begin(), own.end(), [&](const ShopEntry<T>& one) { return one.key == other.key; }))
+    for (const ShopEntry<T>& other : others) {
+        const auto same =
+            std::find_if(own.begin(), own.end(), [&](const ShopEntry<T>& one) { return one.key == other.key; });
+        if (same == own.end())
             own.push_back(other);
+        else if (same->value == other.value && same->source == other.source)
+            same->is_own = other.is_own;
+    }
 }
 
 template <class T>
@@ -101,11 +107,11 @@ const ShopLibrary& shopLibrary()
 
 ShopLibrary united(ShopLibrary own, const ShopLibrary& library)
 {
-    addMissing(own.lathes, library.lathes);
-    addMissing(own.chucks, library.chucks);
-    addMissing(own.tailstocks, library.tailstocks);
-    addMissing(own.tool_sets, library.tool_sets);
-    addMissing(own.materials, library.materials);
+    unite(own.lathes, library.lathes);
+    unite(own.chucks, library.chucks);
+    unite(own.tailstocks, library.tailstocks);
+    unite(own.tool_sets, library.tool_sets);
+    unite(own.materials, library.materials);
     return own;
 }
 

@@ -50,7 +50,8 @@ const ShopLibrary& shopLibrary();
 /// with line and column: malformed, keyMissing, keyOutOfRange, valueStatedTwice.
 ShopLibrary readLibrary(const io::JsonCursor& object, Notes& notes);
 
-/// `own` first, then those of `library` whose keys it does not have.
+/// `own` first, then those of `library` whose keys it does not have. An own entry that equals that of the library is
+/// not an own one.
 ShopLibrary united(ShopLibrary own, const ShopLibrary& library);
 
 /// Error shopEntryUnknown (table, key, known ones).

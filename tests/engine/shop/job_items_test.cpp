@@ -3,8 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/cam/check/check_report.h"
 #include "engine/cam/job_file.h"
 #include "engine/cam/job_item.h"
+#include "engine/cam/plan_report.h"
 #include "engine/cam/task/check_task.h"
 #include "engine/cam/task/turn_task.h"
 #include "engine/deflection/deflection_task.h"

@@ -192,6 +192,17 @@ TEST(ShopFile, IsReadAsItIsWritten)
     EXPECT_FALSE(read.shop().tailstock);
 }
 
+TEST(ShopFile, AnEntryThatIsAsBuiltInStaysAssumed)
+{
+    StatedShop stated;
+    stated.own.chucks = {*std::find_if(shopLibrary().chucks.begin(), shopLibrary().chucks.end(),
+                                       [](const auto& entry) { return entry.key == "papers"; })};
+    Notes notes;
+    EXPECT_TRUE(readShop(shopText(stated), notes).shop().chuck.is_assumed);
+    stated.own.chucks.front().value.springs.radial_N_mm += 1;
+    EXPECT_FALSE(readShop(shopText(stated), notes).shop().chuck.is_assumed);
+}
+
 TEST(ShopFile, FaultsHaveTheirPlace)
 {
     Notes notes;

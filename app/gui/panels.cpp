@@ -1,7 +1,5 @@
 #include "app/gui/panels.h"
 
-#include <algorithm>
-
 #include "widgets/chain/chain_panel.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/correction/correction_panel.h"
@@ -25,30 +23,12 @@
 #include "widgets/turning/turning_panel.h"
 
 namespace lathelier {
-namespace {
 
-/// Panels of other workspaces that a step of the chain opens stand beside it.
-std::vector<PanelFacts> withSteps(std::vector<PanelFacts> table)
-{
-    const std::vector<std::string> steps = chain_panel::panelsOfSteps();
-    for (PanelFacts& facts : table) {
-        if (std::find(steps.begin(), steps.end(), facts.id) == steps.end()) continue;
-        const auto is_copy = [](const Workspace& one) { return one.id == "copy"; };
-        if (std::none_of(facts.workspaces.begin(), facts.workspaces.end(), is_copy))
-            facts.workspaces.push_back(workspaceOf("copy"));
-    }
-    return table;
-}
-
-}  // namespace
-
+/// In the order of the questions, and within one of its tabs.
 const std::vector<PanelFacts>& panelTable()
 {
-    static const std::vector<PanelFacts> table{compare_panel::comparePanelFacts(),
-                                               roundness_panel::roundnessPanelFacts(),
-                                               trajectory_panel::trajectoryPanelFacts(),
-                                               longitudinal_panel::longitudinalPanelFacts(),
-                                               cylindricity_panel::cylindricityPanelFacts(),
+    static const std::vector<PanelFacts> table{recognise_panel::recognisePanelFacts(),
+                                               drawing_panel::drawingPanelFacts(),
                                                shaft_panel::shaftPanelFacts(),
                                                machine_panel::machinePanelFacts(),
                                                tap_panel::tapPanelFacts(),
@@ -56,22 +36,18 @@ const std::vector<PanelFacts>& panelTable()
                                                lobes_panel::lobesPanelFacts(),
                                                pass_panel::passPanelFacts(),
                                                speed_panel::speedPanelFacts(),
+                                               turning_panel::turningPanelFacts(),
                                                program_panel::programPanelFacts(),
                                                deflection_panel::deflectionPanelFacts(),
                                                correction_panel::correctionPanelFacts(),
-                                               recognise_panel::recognisePanelFacts(),
-                                               drawing_panel::drawingPanelFacts(),
-                                               turning_panel::turningPanelFacts(),
+                                               compare_panel::comparePanelFacts(),
+                                               chain_panel::chainPanelFacts(),
+                                               roundness_panel::roundnessPanelFacts(),
+                                               trajectory_panel::trajectoryPanelFacts(),
+                                               longitudinal_panel::longitudinalPanelFacts(),
+                                               cylindricity_panel::cylindricityPanelFacts(),
                                                surface_panel::surfacePanelFacts(),
-                                               training_panel::trainingPanelFacts(),
-                                               chain_panel::chainPanelFacts()};
-    static const std::vector<PanelFacts> with_steps = withSteps(table);
-    return with_steps;
-}
-
-const std::vector<StripFacts>& stripTable()
-{
-    static const std::vector<StripFacts> table{chain_panel::chainStrip()};
+                                               training_panel::trainingPanelFacts()};
     return table;
 }
 

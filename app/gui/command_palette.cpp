@@ -9,6 +9,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/core/icons.h"
+
 namespace lathelier {
 namespace {
 
@@ -25,8 +27,13 @@ bool matches(const QString& path, const QStringList& words)
 
 }  // namespace
 
-CommandPalette::CommandPalette(const QList<Command>& commands, QWidget* parent)
-    : QDialog(parent), commands_(commands), search_(new QLineEdit), list_(new QListWidget)
+CommandPalette::CommandPalette(const QList<Command>& commands, std::function<void(const QString&)> nothingFound,
+                               QWidget* parent)
+    : QDialog(parent),
+      commands_(commands),
+      nothingFound_(std::move(nothingFound)),
+      search_(new QLineEdit),
+      list_(new QListWidget)
 {
     setWindowTitle(tr("Commands"));
     setObjectName("commandPalette");
@@ -58,6 +65,7 @@ void CommandPalette::narrow(const QString& typed)
             command.icon, command.keys.isEmpty() ? command.path : command.path + "   " + command.keys, list_);
         item->setData(Qt::UserRole, i);
     }
+    if (list_->count() == 0) list_->addItem(new QListWidgetItem(icon("help"), tr("Nothing found: open the manual")));
     list_->setCurrentRow(0);
 }
 
@@ -66,7 +74,11 @@ void CommandPalette::run()
     const QListWidgetItem* item = list_->currentItem();
     accept();
     if (!item) return;
-    QTimer::singleShot(0, parentWidget(), commands_[item->data(Qt::UserRole).toInt()].run);
+    const QVariant command = item->data(Qt::UserRole);
+    if (command.isValid())
+        QTimer::singleShot(0, parentWidget(), commands_[command.toInt()].run);
+    else
+        QTimer::singleShot(0, parentWidget(), [run = nothingFound_, words = search_->text()] { run(words); });
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event)

@@ -24,7 +24,9 @@ public:
         bool enabled = true;  ///< false: not offered now
     };
 
-    explicit CommandPalette(const QList<Command>& commands, QWidget* parent = nullptr);
+    /// `nothingFound`: run with the words typed where no command has them.
+    CommandPalette(const QList<Command>& commands, std::function<void(const QString& words)> nothingFound,
+                   QWidget* parent = nullptr);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -34,6 +36,7 @@ private:
     void run();
 
     QList<Command> commands_;
+    std::function<void(const QString&)> nothingFound_;
     QLineEdit* search_;
     QListWidget* list_;
 };

@@ -110,6 +110,11 @@ void HelpWindow::showPage(const QString& name)
     turnTo(name);
 }
 
+void HelpWindow::searchFor(const QString& words)
+{
+    search_->setText(words);
+}
+
 void HelpWindow::turnTo(const QString& name)
 {
     const ManualPage& page = manual_.page(name);

@@ -21,6 +21,8 @@ public:
     /// Shows the page about a panel (by the panel's id) or any other, the index where there is none; ends a search.
     void showPage(const QString& name);
 
+    void searchFor(const QString& words);  ///< as typed into the search
+
     /// The name of the page that is shown.
     QString page() const { return shown_; }
 

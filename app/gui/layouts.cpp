@@ -6,16 +6,14 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/gui/workspaces.h"
-
 namespace lathelier {
 namespace {
 
-constexpr int layoutVersion = 2;  // counts up when docks are renamed
+constexpr int layoutVersion = 3;  // counts up when docks are renamed, or stand elsewhere
 
-QString settingsKey(const std::string& workspace)
+QString settingsKey(const std::string& question)
 {
-    return QString::fromStdString("layouts/" + workspace);
+    return QString::fromStdString("layouts/" + question);
 }
 
 bool isOnAScreen(const QWidget& widget)
@@ -29,13 +27,11 @@ bool isOnAScreen(const QWidget& widget)
 
 }  // namespace
 
-std::vector<PanelDock*> docksIn(const std::vector<PanelDock*>& docks, const std::string& workspace)
+std::vector<PanelDock*> docksIn(const std::vector<PanelDock*>& docks, const std::string& question)
 {
     std::vector<PanelDock*> here;
     std::copy_if(docks.begin(), docks.end(), std::back_inserter(here),
-                 [&](const PanelDock* dock) { return isIn(dock->facts(), workspace); });
-    std::stable_partition(here.begin(), here.end(),
-                          [&](const PanelDock* dock) { return dock->facts().workspaces.front().id == workspace; });
+                 [&](const PanelDock* dock) { return dock->facts().question.id == question; });
     return here;
 }
 
@@ -56,22 +52,22 @@ Layouts::Layouts(QMainWindow& window, const std::vector<PanelDock*>& docks, QDoc
 
 void Layouts::enter(const std::string& id, PanelDock* active)
 {
-    if (!workspace_.empty()) save();
-    workspace_ = id;
+    if (!question_.empty()) save();
+    question_ = id;
     if (!restore()) arrangeAsAtFirst();
     for (PanelDock* dock : docks_)
-        if (!isIn(dock->facts(), id)) dock->hide();
+        if (dock->facts().question.id != id) dock->hide();
     ensureSeen(active);
 }
 
 void Layouts::save() const
 {
-    QSettings().setValue(settingsKey(workspace_), window_.saveState(layoutVersion));
+    QSettings().setValue(settingsKey(question_), window_.saveState(layoutVersion));
 }
 
 bool Layouts::restore()
 {
-    const QByteArray state = QSettings().value(settingsKey(workspace_)).toByteArray();
+    const QByteArray state = QSettings().value(settingsKey(question_)).toByteArray();
     if (state.isEmpty()) return false;
     hideAll();
     return window_.restoreState(state, layoutVersion);
@@ -79,7 +75,7 @@ bool Layouts::restore()
 
 void Layouts::reset(PanelDock* active)
 {
-    QSettings().remove(settingsKey(workspace_));
+    QSettings().remove(settingsKey(question_));
     arrangeAsAtFirst();
     ensureSeen(active);
 }
@@ -100,12 +96,12 @@ void Layouts::arrangeAsAtFirst()
         window_.removeDockWidget(dock);
     }
     for (PanelDock* dock : docks_) {
-        if (isIn(dock->facts(), workspace_)) continue;
+        if (dock->facts().question.id == question_) continue;
         window_.addDockWidget(Qt::TopDockWidgetArea, dock);
         dock->hide();
     }
     PanelDock* first = nullptr;
-    for (PanelDock* dock : docksIn(docks_, workspace_)) {
+    for (PanelDock* dock : docksIn(docks_, question_)) {
         window_.addDockWidget(Qt::TopDockWidgetArea, dock);
         if (first) window_.tabifyDockWidget(first, dock);
         dock->show();
@@ -126,9 +122,9 @@ void Layouts::ensureSeen(PanelDock* active)
 {
     for (PanelDock* dock : docks_)
         if (dock->isFloating() && !dock->isHidden() && !isOnAScreen(*dock)) dock->setFloating(false);
-    if (!active || !isIn(active->facts(), workspace_)) {
+    if (!active || active->facts().question.id != question_) {
         active = nullptr;
-        for (PanelDock* dock : docksIn(docks_, workspace_))
+        for (PanelDock* dock : docksIn(docks_, question_))
             if (!active || (active->isHidden() && !dock->isHidden())) active = dock;
     }
     if (!active) return;

@@ -1,4 +1,4 @@
-// Arrangements of docks: one for each workspace, kept between runs.
+// Arrangements of docks: one for each question, kept between runs.
 #pragma once
 
 #include <QMainWindow>
@@ -9,24 +9,24 @@
 
 namespace lathelier {
 
-/// The docks of a workspace: those whose own it is first.
-std::vector<PanelDock*> docksIn(const std::vector<PanelDock*>& docks, const std::string& workspace);
+/// The docks of a question, in the order of the panel table.
+std::vector<PanelDock*> docksIn(const std::vector<PanelDock*>& docks, const std::string& question);
 
 /// Arranges the docks of a window. Whatever a saved arrangement says, the active panel ends up visible.
 class Layouts {
 public:
     Layouts(QMainWindow& window, const std::vector<PanelDock*>& docks, QDockWidget& log, QDockWidget& data);
 
-    const std::string& workspace() const { return workspace_; }
+    const std::string& question() const { return question_; }
 
-    /// Saves the arrangement of the present workspace and shows that of `id`. `active`: its panel must be seen;
-    /// nullptr: any one of the workspace.
+    /// Saves the arrangement of the present question and shows that of `id`. `active`: its panel must be seen;
+    /// nullptr: any one of the question.
     void enter(const std::string& id, PanelDock* active);
 
-    void save() const;              ///< of the present workspace
-    void reset(PanelDock* active);  ///< the arrangement a workspace has at first
+    void save() const;              ///< of the present question
+    void reset(PanelDock* active);  ///< the arrangement a question has at first
 
-    /// Shows and raises `active`, or the first panel of the workspace when none is seen; brings back floating docks
+    /// Shows and raises `active`, or the first panel of the question when none is seen; brings back floating docks
     /// that lie on no screen.
     void ensureSeen(PanelDock* active);
 
@@ -39,7 +39,7 @@ private:
     std::vector<PanelDock*> docks_;
     QDockWidget& log_;
     QDockWidget& data_;
-    std::string workspace_;
+    std::string question_;
 };
 
 }  // namespace lathelier

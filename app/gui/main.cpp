@@ -39,7 +39,7 @@ int runWindow(const Arguments& arguments, Languages& languages)
     const bool shots = !arguments.shots.isEmpty();
     const QString recovery =
         shots ? QString() : QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/recovery";
-    MainWindow window(session, languages, panelTable(), recovery, stripTable());
+    MainWindow window(session, languages, panelTable(), recovery);
     window.openPaths(arguments.files);
     if (shots) return takeShots(window, arguments.shots);
     window.show();

@@ -15,12 +15,10 @@
 #include <QUrl>
 #include <algorithm>
 
-#include "app/gui/command_palette.h"
 #include "app/gui/data_column.h"
-#include "app/gui/help_window.h"
 #include "app/gui/settings_dialog.h"
 #include "app/gui/theme.h"
-#include "widgets/core/icons.h"
+#include "widgets/core/panel/primary_views.h"
 
 namespace lathelier {
 namespace {
@@ -35,12 +33,12 @@ io::FileKinds kindsOf(const std::vector<PanelFacts>& panels)
 }  // namespace
 
 MainWindow::MainWindow(Session& session, Languages& languages, const std::vector<PanelFacts>& panels,
-                       const QString& recoveryFolder, const std::vector<StripFacts>& strips)
+                       const QString& recoveryFolder)
     : session_(session),
       languages_(languages),
       settings_(readSettings()),
       files_(session, recoveryFolder, this),
-      workspaces_(workspacesOf(panels)),
+      questions_(questionsOf(panels)),
       finder_(kindsOf(panels)),
       log_(new MessageLog),
       logDock_(new QDockWidget(this)),
@@ -69,6 +67,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
             for (PanelDock* dock : docks_)
                 if (dock->facts().item_inputs.count(item->second.kind) > 0) return showPanel(dock);
     });
+    status_->setObjectName("status");
     status_->setTextFormat(Qt::PlainText);
     status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     statusBar()->addWidget(status_, 1);
@@ -77,24 +76,21 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
     makeDocks(panels);
     makeActions();
     makeMenus();
-    makeWorkspaceBar();
-    makeStrips(strips);
+    makeQuestionBar();
+    makeTools();
     retranslate();
 
     connect(&session_, &Session::pathChanged, this, &MainWindow::updateTitle);
     connect(&session_, &Session::modifiedChanged, this, &MainWindow::updateTitle);
-    connect(&session_, &Session::changed, this, [this] {  // the message belonged to the previous state
-        status_->clear();
-        openSaved_->hide();
-    });
-    connect(&session_, &Session::workspaceChanged, this, [this] { enterWorkspace(session_.project().workspace); });
+    connect(&session_, &Session::changed, this, &MainWindow::clearStatus);  // it belonged to the previous state
+    connect(&session_, &Session::workspaceChanged, this, [this] { enterQuestion(session_.project().workspace); });
     connect(&files_, &ProjectFiles::messageRaised, this, &MainWindow::announce);
     connect(&files_, &ProjectFiles::recentChanged, this, &MainWindow::fillRecent);
 
     const QSize frame(0, 2 * fontMetrics().height());  // the title bar, which counts on the screen as well
     resize(QSize(1280, 800).boundedTo(screen()->availableSize() - frame));
     restoreGeometry(QSettings().value("geometry").toByteArray());
-    enterWorkspace(session_.project().workspace);
+    enterQuestion(session_.project().workspace);
     updateTitle();
     useTheme();
 }
@@ -108,33 +104,6 @@ MainWindow::~MainWindow()
 {
     session_.disconnect(this);
     session_.undoStack().disconnect(this);
-}
-
-void MainWindow::makeDocks(const std::vector<PanelFacts>& panels)
-{
-    for (const PanelFacts& facts : panels) {
-        auto* dock = new PanelDock(session_, facts, this);
-        docks_.push_back(dock);
-        connect(dock, &PanelDock::panelMade, this, [this, dock](PanelBase* panel) { panelMade(dock, panel); });
-        connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool seen) {
-            if (seen && layouts_) lastActive_[layouts_->workspace()] = dock;
-        });
-    }
-    layouts_ = std::make_unique<Layouts>(*this, docks_, *logDock_, *dataDock_);
-}
-
-void MainWindow::panelMade(PanelDock* dock, PanelBase* panel)
-{
-    panel->setPresenting(presenting_);
-    connect(panel, &PanelBase::messageRaised, this, &MainWindow::announce);
-    connect(panel, &PanelBase::sampleRequested, this, [this] {
-        const std::string here = layouts_->workspace();
-        files_.openSample();
-        enterWorkspace(here);  // where it was asked for, whatever workspace the sample was saved in
-    });
-    connect(panel, &PanelBase::itemOffered, this, &MainWindow::useItem);
-    connect(panel, &PanelBase::reportRequested, this,
-            [this, dock](const QString& suffix) { writeReport({dock}, suffix); });
 }
 
 /// Keeps the item in the project, gives it to the first panel that takes its kind, and shows that panel: one undo step.
@@ -153,42 +122,6 @@ void MainWindow::useItem(const std::string& name, const project::Item& item, boo
         project.panels[facts.stateKey()].inputs[facts.item_inputs.at(item.kind)] = source;
     });
     if (taker != docks_.end()) showPanel(*taker);
-}
-
-/// In the workspace that is open if it belongs there, else in its own.
-void MainWindow::showPanel(PanelDock* dock)
-{
-    const std::string& here = layouts_->workspace();
-    const std::string& workspace = isIn(dock->facts(), here) ? here : dock->facts().workspaces.front().id;
-    lastActive_[workspace] = dock;
-    enterWorkspace(workspace);
-    showDock(dock);
-}
-
-void MainWindow::enterWorkspace(const std::string& id)
-{
-    if (workspaces_.empty()) return;
-    const auto known = std::find_if(workspaces_.begin(), workspaces_.end(),
-                                    [&](const Workspace& workspace) { return workspace.id == id; });
-    const std::string entered = known == workspaces_.end() ? workspaces_.front().id : id;
-    if (layouts_->workspace() != entered) {
-        const auto active = lastActive_.find(entered);
-        layouts_->enter(entered, active == lastActive_.end() ? nullptr : active->second);
-        for (PanelDock* dock : docks_) dock->showAction().setVisible(isIn(dock->facts(), entered));
-    }
-    showStrips();
-    for (const auto& [name, action] : workspaceActions_) action->setChecked(name == entered);
-    session_.setWorkspace(entered);
-}
-
-PanelDock* MainWindow::activeDock() const
-{
-    const std::string& workspace = layouts_->workspace();
-    const auto active = lastActive_.find(workspace);
-    if (active != lastActive_.end()) return active->second;
-    // Before the window is shown: opens the files of the command line.
-    const std::vector<PanelDock*> here = docksIn(docks_, workspace);
-    return here.empty() ? nullptr : here.front();
 }
 
 void MainWindow::openPaths(const QStringList& paths)
@@ -236,9 +169,13 @@ void MainWindow::askForFiles()
     openPaths(paths);
 }
 
+/// The status line speaks of the panel in front and of the window; the log keeps what others say.
 void MainWindow::announce(const Message& message)
 {
     log_->add(message);
+    const auto speaks = [&](const PanelDock* dock) { return dock->facts().title == message.source; };
+    const bool ofAPanel = std::any_of(docks_.begin(), docks_.end(), speaks);
+    if (ofAPanel && !(activeDock() && speaks(activeDock()))) return;
     openSaved_->hide();
     status_->setText(shortText(message));
     status_->setToolTip(screenText(message));
@@ -247,6 +184,13 @@ void MainWindow::announce(const Message& message)
         logDock_->show();
         logDock_->raise();
     }
+}
+
+void MainWindow::clearStatus()
+{
+    status_->clear();
+    status_->setToolTip({});
+    openSaved_->hide();
 }
 
 void MainWindow::setPresenting(bool presenting)
@@ -263,7 +207,6 @@ void MainWindow::setPresenting(bool presenting)
     QApplication::setFont(font);
     for (PanelDock* dock : docks_) {
         if (presenting && dock != activeDock()) dock->hide();
-        dock->setTitleSeen(!presenting);
         if (dock->madePanel()) dock->madePanel()->setPresenting(presenting);
     }
     for (QDockWidget* side : {logDock_, dataDock_}) side->setVisible(!presenting && side->isVisible());
@@ -271,9 +214,14 @@ void MainWindow::setPresenting(bool presenting)
     bar_->setVisible(!presenting);
     statusBar()->setVisible(!presenting);
     if (!presenting) restoreState(stateBeforePresenting_);
-    showStrips();
     layouts_->ensureSeen(activeDock());
     action("presenter")->setChecked(presenting);
+    PanelBase* const shown = activeDock() ? activeDock()->madePanel() : nullptr;
+    if (!presenting || !shown) return;
+    if (auto* views = shown->findChild<PrimaryViews*>())
+        views->setFocus();  // the arrow keys go through them at once
+    else
+        shown->setFocus();
 }
 
 void MainWindow::applySettings(const Settings& settings)
@@ -302,47 +250,6 @@ void MainWindow::askForSettings()
     if (dialog.exec() == QDialog::Accepted) applySettings(dialog.settings());
 }
 
-void MainWindow::showDock(PanelDock* dock)
-{
-    dock->show();
-    dock->raise();
-    dock->panel().setFocus();
-}
-
-/// The panels of the workspace in turn, those that were closed too.
-void MainWindow::stepPanel(int by)
-{
-    const std::vector<PanelDock*> here = docksIn(docks_, layouts_->workspace());
-    if (here.empty()) return;
-    const auto now = std::find(here.begin(), here.end(), activeDock());
-    const auto count = static_cast<std::ptrdiff_t>(here.size());
-    const std::ptrdiff_t place = now == here.end() ? 0 : now - here.begin();
-    showDock(here[static_cast<std::size_t>(((place + by) % count + count) % count)]);
-}
-
-void MainWindow::showPalette()
-{
-    QList<CommandPalette::Command> commands = commandsOf(menuBar()->actions());
-    if (PanelDock* dock = activeDock(); dock && dock->isVisible() && dock->madePanel())
-        for (const PanelCommand& command : dock->madePanel()->commands()) {
-            const QString path = dock->windowTitle() + QStringLiteral(" › ") + command.path;
-            commands.append({path, command.run});
-        }
-    auto* palette = new CommandPalette(commands, this);
-    palette->setAttribute(Qt::WA_DeleteOnClose);
-    palette->open();
-}
-
-void MainWindow::showHelp()
-{
-    if (!help_) help_ = new HelpWindow(this);
-    const PanelDock* dock = activeDock();
-    help_->showPage(dock && dock->isVisible() ? QString::fromStdString(dock->facts().id) : Manual::indexName);
-    help_->show();
-    help_->raise();
-    help_->activateWindow();
-}
-
 void MainWindow::updateTitle()
 {
     const QString name =
@@ -358,7 +265,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     setPresenting(false);
-    if (!layouts_->workspace().empty()) layouts_->save();
+    if (!layouts_->question().empty()) layouts_->save();
     QSettings().setValue("geometry", saveGeometry());
     event->accept();
 }

@@ -1,4 +1,4 @@
-// The window: panels in docks, workspaces, menus.
+// The window: panels in docks under the questions of the bar, menus.
 #pragma once
 
 #include <QMainWindow>
@@ -7,14 +7,16 @@
 #include <memory>
 #include <vector>
 
+#include "app/gui/command_palette.h"
 #include "app/gui/layouts.h"
 #include "app/gui/project_files.h"
+#include "app/gui/questions.h"
 #include "app/gui/settings.h"
-#include "app/gui/workspaces.h"
 #include "widgets/core/files/kind_finder.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/message_log.h"
-#include "widgets/core/panel/workspace_strip.h"
+#include "widgets/core/shell/empty_place.h"
+#include "widgets/core/shell/question_bar.h"
 
 class QLabel;
 class QToolButton;
@@ -28,7 +30,7 @@ class MainWindow : public QMainWindow {
 public:
     /// `recoveryFolder` empty: no autosave and no recovery (screenshots, tests).
     MainWindow(Session& session, Languages& languages, const std::vector<PanelFacts>& panels,
-               const QString& recoveryFolder = {}, const std::vector<StripFacts>& strips = {});
+               const QString& recoveryFolder = {});
     ~MainWindow() override;
 
     /// A project is opened at once; other files go to the panel that works on their kind, else to the active one, as
@@ -36,14 +38,18 @@ public:
     void openPaths(const QStringList& paths);
     bool isOpening() const { return finder_.isBusy(); }  ///< files are still being looked at
 
-    void enterWorkspace(const std::string& id);
+    void enterQuestion(const std::string& id);
+    const std::string& question() const { return layouts_->question(); }  ///< that is open
+    QuestionBar& questionBar() const { return *questionBar_; }
     PanelDock* activeDock() const;
     const std::vector<PanelDock*>& docks() const { return docks_; }
     ProjectFiles& files() { return files_; }
     MessageLog& messages() { return *log_; }
     QAction* action(const QString& name) const;  ///< by object name: "undo"
     void setPresenting(bool presenting);
-    void stepPanel(int by);  ///< to the next panel of the workspace, or an earlier one, round about
+    void stepPanel(int by);  ///< to the next panel of the question, or an earlier one, round about
+    void setFloating(PanelDock* dock, bool floating);  ///< in a window of its own, or back under its question
+    QMenu* panelMenu(PanelDock* dock);                 ///< float or dock it, close it; the caller owns it
     void applySettings(const Settings& settings);
 
 protected:
@@ -51,6 +57,7 @@ protected:
     void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     void useTheme();
@@ -58,9 +65,13 @@ private:
     void makeDocks(const std::vector<PanelFacts>& panels);
     void makeActions();
     void makeMenus();
-    void makeWorkspaceBar();
-    void makeStrips(const std::vector<StripFacts>& strips);
-    void showStrips();
+    void makeQuestionBar();
+    void makeTools();
+    void showQuestionMenu(const std::string& id, const QPoint& global);
+    void answerQuestion(const std::string& id);
+    void followFront(PanelDock* dock);
+    void showEmptyPlace();
+    void clearStatus();
     QAction* makeAction(const char* name, const char* picture, const QList<QKeySequence>& keys,
                         std::function<void()> run);
     void retranslate();
@@ -77,7 +88,8 @@ private:
     void useStartingValues();
     void askForTitleBlock();
     void showPalette();
-    void showHelp();
+    QList<CommandPalette::Command> panelCommands(PanelDock* dock);
+    void showHelp(const QString& words = {});  ///< `words`: what the manual is searched for
     void writeReport(const std::vector<PanelDock*>& docks, const QString& suffix);
     void writeProjectReport(const QString& suffix);
 
@@ -85,19 +97,21 @@ private:
     Languages& languages_;
     Settings settings_;
     ProjectFiles files_;
-    std::vector<Workspace> workspaces_;
+    std::vector<Question> questions_;
     KindFinder finder_;  ///< of all files that any panel works on
     std::vector<PanelDock*> docks_;
     MessageLog* log_;
     QDockWidget* logDock_;
     QDockWidget* dataDock_;
     std::unique_ptr<Layouts> layouts_;
-    std::map<std::string, PanelDock*> lastActive_;  ///< by workspace
+    std::map<std::string, PanelDock*> lastActive_;  ///< by question
     std::map<QString, QAction*> actions_;
-    std::map<std::string, QAction*> workspaceActions_;
+    std::map<std::string, QAction*> questionActions_;
     std::map<QString, QMenu*> menus_;
-    QToolBar* bar_ = nullptr;
-    std::map<std::string, QToolBar*> strips_;  ///< over the panels of a workspace, by its id
+    QToolBar* bar_ = nullptr;  ///< of the questions
+    QuestionBar* questionBar_ = nullptr;
+    QToolBar* tools_ = nullptr;  ///< in the row of the menus
+    EmptyPlace* emptyPlace_ = nullptr;
     QLabel* status_ = nullptr;
     QToolButton* openSaved_ = nullptr;  ///< beside a message that a report was saved
     HelpWindow* help_ = nullptr;

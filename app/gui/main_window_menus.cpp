@@ -1,4 +1,4 @@
-// The window's actions, menus and workspace bar, and their words.
+// The window's actions, menus and bars, and their words.
 #include <QActionGroup>
 #include <QFileInfo>
 #include <QLabel>
@@ -77,6 +77,12 @@ void MainWindow::makeActions()
     makeAction("nextPanel", "", {QKeySequence("Ctrl+Tab"), QKeySequence("Ctrl+PgDown")}, [this] { stepPanel(1); });
     makeAction("previousPanel", "", {QKeySequence("Ctrl+Shift+Tab"), QKeySequence("Ctrl+PgUp")},
                [this] { stepPanel(-1); });
+    makeAction("floatPanel", "", {}, [this] {
+        if (activeDock()) setFloating(activeDock(), !activeDock()->isFloating());
+    });
+    makeAction("closePanel", "", {QKeySequence("Ctrl+W")}, [this] {
+        if (activeDock()) activeDock()->close();
+    });
     makeAction("resetLayout", "layout", {}, [this] { layouts_->reset(activeDock()); });
     QAction* presenter =
         makeAction("presenter", "presenter", {QKeySequence("F9")}, [this] { setPresenting(!presenting_); });
@@ -111,9 +117,10 @@ void MainWindow::makeMenus()
     add("file", {"new", "open", "nextPart", "recent", "sample", "", "save", "saveAs", "saveRecipe", "", "titleBlock",
                  "reportHtml", "reportPdf", "", "quit"});
     add("edit", {"undo", "redo", "", "settings"});
-    add("view", {"workspaces", ""});
-    for (PanelDock* dock : docks_) menus_["view"]->addAction(&dock->showAction());
-    for (const char* name : {"nextPanel", "previousPanel"}) menus_["view"]->addAction(action(name));
+    add("view", {"questions", "panels", ""});
+    for (PanelDock* dock : docks_) menus_["panels"]->addAction(&dock->showAction());
+    for (const char* name : {"nextPanel", "previousPanel", "floatPanel", "closePanel"})
+        menus_["view"]->addAction(action(name));
     menus_["view"]->addAction(logDock_->toggleViewAction());
     menus_["view"]->addAction(dataDock_->toggleViewAction());
     logDock_->toggleViewAction()->setIcon(icon("log"));
@@ -127,57 +134,43 @@ void MainWindow::makeMenus()
     fillRecent();
 }
 
-void MainWindow::makeWorkspaceBar()
+void MainWindow::makeQuestionBar()
 {
     bar_ = addToolBar(QString());
-    bar_->setObjectName("workspaceBar");
+    bar_->setObjectName("questionBar");
     bar_->setMovable(false);
-    bar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar_->toggleViewAction()->setVisible(false);
+    questionBar_ = new QuestionBar(questions_);
+    bar_->addWidget(questionBar_);
+    connect(questionBar_, &QuestionBar::questionRequested, this, &MainWindow::enterQuestion);
+    connect(questionBar_, &QuestionBar::menuRequested, this, &MainWindow::showQuestionMenu);
     auto* group = new QActionGroup(this);
-    for (const Workspace& workspace : workspaces_) {
-        QAction* enter = bar_->addAction(icon(workspace.icon), QString());
+    for (const Question& question : questions_) {
+        auto* enter = new QAction(icon(question.icon), QString(), this);
+        enter->setObjectName(QString::fromStdString("question_" + question.id));
         enter->setCheckable(true);
         group->addAction(enter);
-        connect(enter, &QAction::triggered, this, [this, id = workspace.id] { enterWorkspace(id); });
-        workspaceActions_[workspace.id] = enter;
-        if (const auto number = workspaceActions_.size(); number <= 9)
+        addAction(enter);  // keys work when the menu bar is hidden
+        connect(enter, &QAction::triggered, this, [this, id = question.id] { enterQuestion(id); });
+        questionActions_[question.id] = enter;
+        if (const auto number = questionActions_.size(); number <= 9)
             enter->setShortcut(QKeySequence(QString("Ctrl+%1").arg(number)));
-        menus_["workspaces"]->addAction(enter);
-    }
-    auto* space = new QWidget;
-    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    bar_->addWidget(space);
-    for (const char* name : {"open", "save", "undo", "redo", "presenter", "palette", "help"}) {
-        bar_->addAction(action(name));
-        if (auto* button = qobject_cast<QToolButton*>(bar_->widgetForAction(action(name))))
-            button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        menus_["questions"]->addAction(enter);
     }
 }
 
-/// A row of its own under the workspaces, as high as what stands in it.
-void MainWindow::makeStrips(const std::vector<StripFacts>& strips)
+/// At the end of the row of the menus, where they take no height.
+void MainWindow::makeTools()
 {
-    for (const StripFacts& facts : strips) {
-        WorkspaceStrip* strip = facts.make(session_);
-        addToolBarBreak();
-        QToolBar* row = addToolBar(QString());
-        row->setObjectName(QString::fromStdString("strip_" + facts.workspace));
-        row->setMovable(false);
-        row->toggleViewAction()->setVisible(false);
-        row->addWidget(strip);
-        strips_[facts.workspace] = row;
-        connect(strip, &WorkspaceStrip::messageRaised, this, &MainWindow::announce);
-        connect(strip, &WorkspaceStrip::panelRequested, this, [this](const std::string& id) {
-            for (PanelDock* dock : docks_)
-                if (dock->facts().id == id) return showPanel(dock);
-        });
-    }
-}
-
-void MainWindow::showStrips()
-{
-    for (const auto& [workspace, row] : strips_) row->setVisible(!presenting_ && workspace == layouts_->workspace());
+    tools_ = new QToolBar;
+    tools_->setObjectName("tools");
+    const int side = fontMetrics().height();
+    tools_->setIconSize(QSize(side, side));
+    tools_->setContentsMargins(0, 0, 0, 0);
+    for (const char* name : {"open", "save", "undo", "redo", "presenter", "palette", "help"})
+        tools_->addAction(action(name));
+    menuBar()->setNativeMenuBar(false);  // one of the desktop shows no tools
+    menuBar()->setCornerWidget(tools_, Qt::TopRightCorner);
 }
 
 void MainWindow::fillRecent()
@@ -227,7 +220,9 @@ void MainWindow::retranslate()
     word("settings", tr("&Settings…"));
     word("nextPanel", tr("&Next panel"));
     word("previousPanel", tr("Pre&vious panel"));
-    word("compute", tr("&Compute again"));
+    word("floatPanel", tr("F&loat or dock the panel"));
+    word("closePanel", tr("&Close the panel"));
+    word("compute", tr("C&ompute again"));
     word("cancel", tr("&Stop the computation"));
     word("resetLayout", tr("&Reset layout"));
     word("presenter", tr("&Presenter mode"));
@@ -241,17 +236,20 @@ void MainWindow::retranslate()
     menus_["recent"]->setTitle(tr("Open &recent"));
     menus_["edit"]->setTitle(tr("&Edit"));
     menus_["view"]->setTitle(tr("&View"));
-    menus_["workspaces"]->setTitle(tr("&Workspaces"));
+    menus_["questions"]->setTitle(tr("&Questions"));
+    menus_["panels"]->setTitle(tr("P&anels"));
     menus_["help_menu"]->setTitle(tr("&Help"));
-    for (const Workspace& workspace : workspaces_)
-        workspaceActions_[workspace.id]->setText(screenText(workspace.title));
-    bar_->setWindowTitle(tr("Workspaces"));
+    for (const Question& question : questions_) {
+        questionActions_[question.id]->setText(screenText(question.title));
+        answerQuestion(question.id);
+    }
+    bar_->setWindowTitle(tr("Questions"));
+    showEmptyPlace();
     logDock_->setWindowTitle(tr("Messages"));
     dataDock_->setWindowTitle(tr("Data"));
-    status_->clear();
     openSaved_->setText(tr("Open"));
     openSaved_->setToolTip(tr("Opens the report that was saved last"));
-    openSaved_->hide();
+    clearStatus();
     updateTitle();
 }
 

@@ -7,17 +7,28 @@
 #include "widgets/core/language.h"
 
 namespace lathelier {
+namespace {
+
+class NoTitle : public QWidget {
+public:
+    using QWidget::QWidget;
+    QSize sizeHint() const override { return {0, 0}; }
+    QSize minimumSizeHint() const override { return {0, 0}; }
+};
+
+constexpr double floatingShare = 0.7;  // of the window's width and height
+constexpr int floatingShift_px = 48;   // that it is seen to lie over the window
+
+}  // namespace
 
 PanelDock::PanelDock(Session& session, const PanelFacts& facts, QWidget* parent)
-    : QDockWidget(parent), session_(session), facts_(facts), show_(new QAction(this))
+    : QDockWidget(parent), session_(session), facts_(facts), show_(new QAction(this)), noTitle_(new NoTitle(this))
 {
-    connect(show_, &QAction::triggered, this, [this] {
-        show();
-        raise();
-        panel().setFocus();
-    });
+    connect(show_, &QAction::triggered, this, &PanelDock::showRequested);
+    connect(this, &QDockWidget::topLevelChanged, this, &PanelDock::followFloating);
     setObjectName(QString::fromStdString("dock_" + facts.id));  // saved layouts know it by this name
     setWindowIcon(icon(facts.icon));
+    followFloating();
     retranslate();
 }
 
@@ -31,14 +42,21 @@ PanelBase& PanelDock::panel()
     return *panel_;
 }
 
-void PanelDock::setTitleSeen(bool seen)
+void PanelDock::followFloating()
 {
-    QWidget* empty = titleBarWidget();
-    if (!seen && !empty) setTitleBarWidget(new QWidget(this));
-    if (seen && empty) {
-        setTitleBarWidget(nullptr);
-        empty->deleteLater();
-    }
+    setTitleBarWidget(isFloating() ? nullptr : noTitle_);
+}
+
+void PanelDock::floatOver(const QRect& window)
+{
+    setFloating(true);
+    const QSize size = (QSizeF(window.size()) * floatingShare).toSize();
+    QRect place(QPoint(0, 0), size);
+    place.moveCenter(window.center() + QPoint(floatingShift_px, floatingShift_px));
+    setGeometry(place);
+    show();
+    raise();
+    activateWindow();
 }
 
 void PanelDock::showEvent(QShowEvent* event)

@@ -16,11 +16,12 @@ public:
     const PanelFacts& facts() const { return facts_; }
     PanelBase& panel();                              ///< makes it when needed
     PanelBase* madePanel() const { return panel_; }  ///< nullptr: never seen so far
-    void setTitleSeen(bool seen);                    ///< presenter mode hides the title bar
+    void floatOver(const QRect& window);             ///< in a window of its own, smaller than and beside `window`
 
-    QAction& showAction() { return *show_; }  ///< of the View menu: shows and raises, closes nothing
+    QAction& showAction() { return *show_; }  ///< of the View menu; closes nothing
 
 signals:
+    void showRequested();
     void panelMade(lathelier::PanelBase* panel);
 
 protected:
@@ -29,11 +30,13 @@ protected:
 
 private:
     void retranslate();
+    void followFloating();
 
     Session& session_;
     PanelFacts facts_;
     PanelBase* panel_ = nullptr;
     QAction* show_;
+    QWidget* noTitle_;  ///< title bar while it is docked: the title stands in the tab, or in the bar of questions
 };
 
 }  // namespace lathelier

@@ -1,7 +1,5 @@
 #include "app/gui/panels.h"
 
-#include <algorithm>
-
 #include "widgets/chain/chain_panel.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/correction/correction_panel.h"
@@ -25,23 +23,8 @@
 #include "widgets/turning/turning_panel.h"
 
 namespace lathelier {
-namespace {
 
-/// Panels of other workspaces that a step of the chain opens stand beside it.
-std::vector<PanelFacts> withSteps(std::vector<PanelFacts> table)
-{
-    const std::vector<std::string> steps = chain_panel::panelsOfSteps();
-    for (PanelFacts& facts : table) {
-        if (std::find(steps.begin(), steps.end(), facts.id) == steps.end()) continue;
-        const auto is_copy = [](const Workspace& one) { return one.id == "copy"; };
-        if (std::none_of(facts.workspaces.begin(), facts.workspaces.end(), is_copy))
-            facts.workspaces.push_back(workspaceOf("copy"));
-    }
-    return table;
-}
-
-}  // namespace
-
+/// In the order of the questions, and within one of its tabs.
 const std::vector<PanelFacts>& panelTable()
 {
     // In the order of the work: what is free in a question comes from earlier ones.
@@ -66,13 +49,6 @@ const std::vector<PanelFacts>& panelTable()
                                                cylindricity_panel::cylindricityPanelFacts(),
                                                surface_panel::surfacePanelFacts(),
                                                training_panel::trainingPanelFacts()};
-    static const std::vector<PanelFacts> with_steps = withSteps(table);
-    return with_steps;
-}
-
-const std::vector<StripFacts>& stripTable()
-{
-    static const std::vector<StripFacts> table{chain_panel::chainStrip()};
     return table;
 }
 

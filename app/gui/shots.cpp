@@ -103,7 +103,7 @@ int takeShots(MainWindow& window, const QString& folder)
     bool good = shots.mkpath(".");
     const auto inTurn = [&](const std::function<void(PanelDock&)>& shoot) {
         for (PanelDock* dock : window.docks()) {
-            window.enterWorkspace(dock->facts().workspaces.front().id);
+            window.enterQuestion(dock->facts().question.id);
             shoot(*dock);
         }
     };

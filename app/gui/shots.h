@@ -7,7 +7,7 @@
 
 namespace lathelier {
 
-/// Shows every panel in its workspace at 1280 × 800 and 1920 × 1080, waits for the results, and writes
+/// Shows every panel under its question at 1280 × 800 and 1920 × 1080, waits for the results, and writes
 /// window_<panel>_<size>.png, <panel>_<size>.png (and one for each of its further pages), verify.png, manual.png and
 /// presenter_<panel>_1920x1080.png into `folder`. Returns 0; 1 when a panel has no result or a picture cannot be
 /// written.

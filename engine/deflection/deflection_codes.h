@@ -153,7 +153,7 @@ inline constexpr NoteCode materialOfSetup{
 inline constexpr NoteCode materialOfShaft{
     "material_of_shaft", Severity::Info,
     LT_TEXT("Engine",
-            "The elastic modulus is that of the project's shaft, {modulus_MPa} MPa, as in the workspace Chatter; the "
+            "The elastic modulus is that of the project's shaft, {modulus_MPa} MPa, as in the question Machine; the "
             "cutting coefficients stay those of the set-up.")};
 
 inline constexpr NoteCode insertOfLibrary{

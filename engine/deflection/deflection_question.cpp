@@ -34,11 +34,11 @@ std::vector<Field<SetupChanges>> libraryFields()
                                  "material and insert, stay those of the set-up.")}),
             choice("changed_machine", &C::machine, receptance::machineChoices(stated),
                    Label{LT_TEXT("Engine", "Machine"),
-                         LT_TEXT("Engine", "Springs of the chuck from the library that the workspace Chatter uses.")}),
+                         LT_TEXT("Engine", "Springs of the chuck from the library that the question Machine uses.")}),
             choice("changed_material", &C::material, receptance::materialChoices(stated),
                    Label{LT_TEXT("Engine", "Material"),
                          LT_TEXT("Engine",
-                                 "Elastic constants from the library that the workspace Chatter uses. The "
+                                 "Elastic constants from the library that the question Machine uses. The "
                                  "cutting coefficients stay those of the set-up.")}),
             change("changed_corner_radius_mm", &C::corner_radius_mm, {0.01, 100},
                    Label{LT_TEXT("Engine", "Corner radius"), LT_TEXT("Engine", "In place of the value in the set-up."),

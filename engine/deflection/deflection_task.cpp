@@ -207,7 +207,7 @@ const task::Task& deflectionTask()
         made.key = "deflection";
         made.title = LT_TEXT("Engine", "Deflection");
         made.summary = "Predict how far slender work bends under the tool, and write the program that allows for it.";
-        made.workspace = "deflection";
+        made.question = "deflection";
         made.products = {gcode::correctedItem};
         made.inputs = {gcode::programAsInput(), setupAsInput(true), stockAsInput(), spindleAsInput(),
                        gcode::toolTableAsInput()};

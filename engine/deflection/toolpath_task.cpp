@@ -125,7 +125,7 @@ const task::Task& toolpathTask()
         task::Task made;
         made.key = "toolpath";
         made.title = LT_TEXT("Engine", "Program");
-        made.workspace = "deflection";
+        made.question = "program";
         made.summary = "Read an NC program and give its moves; with its set-up, what the tool meets.";
         made.inputs = {gcode::programAsInput(), setupAsInput(false), stockAsInput(), gcode::toolTableAsInput()};
         task::askFor<ToolpathQuestion>(made);

@@ -48,7 +48,7 @@ struct PanelState {
 
 struct Project {
     std::string title;                         ///< title of the project; may be empty
-    std::string workspace = "inspection";      ///< key of the workspace that is shown
+    std::string workspace = "scan";            ///< id of the question that is shown
     std::map<std::string, PanelState> panels;  ///< by panel id: "compare"
     std::vector<std::string> report;           ///< ids of the panels in the report, in order
     std::map<std::string, Item> items;         ///< items by name

@@ -100,7 +100,7 @@ struct Task {
     std::string key;        ///< of the verb and in JSON: "deflection"
     Text title;             ///< of its panel
     std::string summary;    ///< of the help page, English
-    std::string workspace;  ///< where its panels stand: "chatter"
+    std::string question;   ///< of the window, under which its panels stand: "speed"
     std::vector<Input> inputs;
     OneOf one_of = {};
     std::vector<OnlyWith> only_with = {};  ///< the command line refuses what says nothing

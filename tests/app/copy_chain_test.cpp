@@ -16,7 +16,8 @@
 #include "tests/app/window_fixture.h"
 #include "tests/widgets/core/drop_files.h"
 #include "widgets/chain/chain_panel.h"
-#include "widgets/chain/chain_strip.h"
+#include "widgets/chain/chain_run_row.h"
+#include "widgets/chain/chain_steps.h"
 #include "widgets/chain/chain_views.h"
 #include "widgets/deflection/deflection_panel.h"
 #include "widgets/turning/turning_panel.h"
@@ -24,7 +25,7 @@
 namespace lathelier {
 
 using chain::StepState;
-using chain_panel::ChainStrip;
+using chain_panel::ChainRunRow;
 
 class CopyChainTest : public QObject, private WindowFixture {
     Q_OBJECT
@@ -33,16 +34,24 @@ class CopyChainTest : public QObject, private WindowFixture {
 
     QString file(const char* name) const { return folder_.filePath(name); }
     std::string out() const { return folder_.filePath("chain").toStdString(); }
-    ChainStrip& strip() const { return *window_->findChild<ChainStrip*>(); }
+    ChainRunRow& row() const { return panel().runRow(); }
+    CopyTable& steps() const { return *panel().views().steps(); }
     const chain_panel::ChainPanel& panel() const
     {
         return static_cast<const chain_panel::ChainPanel&>(dock("chain")->panel());
     }
-    StepState state(const char* key) const { return strip().tile(key)->standing().state; }
+    StepState state(const char* step) const { return row().looked()->step(step)->state; }
+    /// The row of a step in the panel's table.
+    int rowOf(const char* step) const
+    {
+        const auto& all = row().looked()->steps;
+        const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.id == step; });
+        return static_cast<int>(found - all.begin());
+    }
     void settle() const
     {
         QTest::qWait(1);
-        QTRY_VERIFY_WITH_TIMEOUT(strip().looked() && !strip().isLooking() && !strip().isRunning(), 120000);
+        QTRY_VERIFY_WITH_TIMEOUT(row().looked() && !row().isLooking() && !row().isRunning(), 120000);
     }
     void dropFiles(const QStringList& names)
     {
@@ -61,12 +70,12 @@ class CopyChainTest : public QObject, private WindowFixture {
     void startRun()
     {
         settle();
-        QTest::mouseClick(strip().findChild<QPushButton*>("runChainWanted"), Qt::LeftButton);
+        QTest::mouseClick(row().findChild<QPushButton*>("runChainWanted"), Qt::LeftButton);
         auto* dialog = window_->findChild<QDialog*>("runChain");
         QVERIFY(dialog && dialog->isVisible());
         dialog->findChild<QLineEdit*>("chainFolder")->setText(QString::fromStdString(out()));
         QTest::mouseClick(dialog->findChild<QPushButton*>("runChainNow"), Qt::LeftButton);
-        QVERIFY(strip().isRunning());
+        QVERIFY(row().isRunning());
     }
     void runAll()
     {
@@ -94,69 +103,67 @@ private slots:
         QDir(QString::fromStdString(out())).removeRecursively();
         QSettings().clear();
         session_ = std::make_unique<Session>();
-        session_->setWorkspace("copy");
+        session_->setWorkspace("proof");
         window_ = std::make_unique<MainWindow>(
             *session_, languages_,
             std::vector<PanelFacts>{turning_panel::turningPanelFacts(), deflection_panel::deflectionPanelFacts(),
-                                    chain_panel::chainPanelFacts()},
-            QString(), std::vector<StripFacts>{chain_panel::chainStrip()});
+                                    chain_panel::chainPanelFacts()});
         window_->resize(1280, 800);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-        window_->enterWorkspace("copy");
-        dock("chain")->show();
-        dock("chain")->raise();
-        dock("chain")->panel();
+        window_->enterQuestion("proof");
         settle();
     }
     void cleanup() { end(); }
 
-    void theStripStandsOverItsWorkspaceAlone()
+    void theRowStandsOverTheEmptyPanel()
     {
-        QVERIFY(strip().isVisible());
-        const int height = strip().height();
-        QVERIFY(height < 60);
-        for (const char* key : {"scan", "drawing", "machine", "speeds", "program", "deflection", "copy", "proof"})
-            QCOMPARE(state(key), StepState::Missing);
-        window_->enterWorkspace("deflection");
-        QVERIFY(!strip().isVisible());
-        window_->enterWorkspace("copy");
-        QVERIFY(strip().isVisible());
-        QCOMPARE(strip().height(), height);
+        QVERIFY(row().isVisible());
+        const int height = row().height();
+        QVERIFY(height < 44);
+        for (const char* step : {"recognise", "draw", "machine", "speeds", "program", "deflection", "copy", "proof"})
+            QCOMPARE(state(step), StepState::Missing);
+        window_->enterQuestion("deflection");
+        QVERIFY(!row().isVisible());
+        window_->enterQuestion("proof");
+        QVERIFY(row().isVisible());
+        QCOMPARE(row().height(), height);
         window_->setPresenting(true);
-        QVERIFY(!strip().isVisible());
+        QVERIFY(!row().isVisible());
         window_->setPresenting(false);
-        QVERIFY(strip().isVisible());
+        QVERIFY(row().isVisible());
     }
 
     void goesFromDropToDossier()
     {
         dropAll();
-        for (const char* key : {"scan", "drawing", "machine", "speeds", "program", "deflection", "copy", "proof"})
+        for (const char* key : {"recognise", "draw", "machine", "speeds", "program", "deflection", "copy", "proof"})
             QCOMPARE(state(key), StepState::NotReached);
         QVERIFY(!QFile::exists(QString::fromStdString(out())));  // looking makes nothing
         const int steps = session_->undoStack().count();
         runAll();
         QCOMPARE(session_->undoStack().count(), steps + 1);
-        for (const char* key : {"scan", "drawing", "machine", "speeds", "program", "deflection", "copy", "proof"})
+        for (const char* key : {"recognise", "draw", "machine", "speeds", "program", "deflection", "copy", "proof"})
             QCOMPARE(state(key), StepState::Done);
         // What its own answer says stands on the step: the sample's program leaves material on the drawing.
-        QVERIFY(strip().tile("program")->standing().verdict == Verdict::Fail);
-        QVERIFY(!strip().tile("program")->standing().isSound());
+        QVERIFY(row().looked()->step("program")->verdict == Verdict::Fail);
         const chain::DossierCheck check = chain::checkDossier(out() + "/" + chain::dossierFile);
         QVERIFY(check.faults.empty() && check.numbers > 80);
         QVERIFY(QFile::exists(QString::fromStdString(out() + "/report.html")));
-        // Files and digests in the tooltip.
-        const chain::ChainStep& recognise = *strip().looked()->step("recognise");
-        const QString about = strip().tile("scan")->toolTip();
-        QVERIFY(about.contains("chain_worn.ply"));
-        QVERIFY(about.contains(QString::fromStdString(recognise.inputs.front().sha256.substr(0, 12))));
         // The proof follows by itself.
         QTRY_VERIFY_WITH_TIMEOUT(panel().isCurrent(), 60000);
         QVERIFY(panel().result()->proof && panel().result()->proof->places.size() >= 3);
         QVERIFY(panel().views().chart()->data().curves.size() >= 4);
         QCOMPARE(panel().views().rows()->rowCount(), static_cast<int>(panel().result()->proof->places.size()));
         QVERIFY(panel().reportDocument()->sections.size() > 8);
+        QVERIFY(window_->questionBar().box("proof")->answer().state == QuestionAnswer::State::Answered);
+        // Signs of the steps, and files and digests in the tooltips of their table.
+        const chain::ChainStep& recognise = *row().looked()->step("recognise");
+        const QString about = steps().item(rowOf("recognise"), 0)->toolTip();
+        QVERIFY(about.contains("chain_worn.ply"));
+        QVERIFY(about.contains(QString::fromStdString(recognise.inputs.front().sha256.substr(0, 12))));
+        QVERIFY(steps().item(rowOf("program"), 1)->text().startsWith(QString::fromUtf8("✗ ")));
+        QVERIFY(steps().item(rowOf("recognise"), 1)->text().startsWith(QString::fromUtf8("✓ ")));
         // Items of the project, and panels of the steps that had nothing.
         const project::Project& project = session_->project();
         QCOMPARE(project.items.size(), std::size_t{1});
@@ -164,7 +171,7 @@ private slots:
         QCOMPARE(project.panels.at("turning").inputs.at("shaft").item, project.items.begin()->first);
         QVERIFY(project.panels.at("deflection").inputs.count("program") == 1);
         // What the chain has put there is no new drawing of its own: all stays done.
-        QVERIFY(!strip().findChild<QPushButton*>("runChainWanted")->isEnabled());
+        QVERIFY(!row().findChild<QPushButton*>("runChainWanted")->isEnabled());
         session_->undoStack().undo();
         QVERIFY(session_->project().items.empty());
         QVERIFY(session_->project().panels.at("chain").parameters.empty() ||
@@ -186,17 +193,22 @@ private slots:
         settle();
         runAll();
         const int steps = session_->undoStack().count();
-        QTest::mouseClick(strip().tile("program"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(panel().isCurrent(), 60000);
+        emit this->steps().cellActivated(rowOf("program"), 0);
+        QVERIFY(window_->activeDock() == dock("turning"));
         QCOMPARE(session_->undoStack().count(), steps + 1);
         const project::PanelState turning = session_->project().panels.at("turning");
         QCOMPARE(turning.inputs.at("shaft").path, out() + "/drawing.json");
         QVERIFY(turning.inputs.at("job").path.find("chain_job.json") != std::string::npos);
-        QTest::mouseClick(strip().tile("deflection"), Qt::LeftButton);
+        window_->enterQuestion("proof");
+        settle();
+        emit this->steps().cellActivated(rowOf("deflection"), 0);
         const project::PanelState deflection = session_->project().panels.at("deflection");
         QVERIFY(deflection.inputs.at("program").path.starts_with(out() + "/program"));
         QVERIFY(find(deflection.parameters, "band"));
+        window_->enterQuestion("proof");
         settle();
-        for (const char* key : {"scan", "drawing", "machine", "speeds", "program", "deflection", "copy", "proof"})
+        for (const char* key : {"recognise", "draw", "machine", "speeds", "program", "deflection", "copy", "proof"})
             QCOMPARE(state(key), StepState::Done);
         session_->undoStack().undo();
         session_->undoStack().undo();
@@ -237,12 +249,12 @@ private slots:
             "finish": {"feed_mm_rev": 0.1, "cutting_speed_m_min": 180}}})");
         dropFiles({"bad_job.json"});  // no finishing tool, a bar that is too thin
         runAll();
-        QCOMPARE(state("scan"), StepState::Done);
+        QCOMPARE(state("recognise"), StepState::Done);
         QVERIFY(state("program") == StepState::Failed || state("machine") == StepState::Failed);
         QCOMPARE(state("proof"), StepState::NotReached);
         QCOMPARE(io::fileSha256(out() + "/draw.json"), drawn);
         QVERIFY(QFile::exists(QString::fromStdString(out() + "/copy.json")));
-        QVERIFY(strip().findChild<QPushButton*>("runChainWanted")->isEnabled());
+        QVERIFY(row().findChild<QPushButton*>("runChainWanted")->isEnabled());
     }
 
     void isStoppedAndKeepsWhatWasMade()
@@ -250,8 +262,8 @@ private slots:
         dropAll();
         startRun();
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(QString::fromStdString(out() + "/draw.json")), 60000);
-        QTest::mouseClick(strip().findChild<QPushButton*>("cancelChain"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(!strip().isRunning(), 5000);
+        QTest::mouseClick(row().findChild<QPushButton*>("cancelChain"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!row().isRunning(), 5000);
         QVERIFY(session_->project().items.empty());
         // What was finished is taken over by the next run, also from here on.
         const std::string scan = io::fileStamp(out() + "/recognise.json");
@@ -291,21 +303,28 @@ private slots:
         QVERIFY(session_->project().panels.at("deflection").inputs.count("spindle") == 0);
     }
 
-    void stepsOpenTheirPanels()
+    /// A run takes its time: whoever looks elsewhere meanwhile is shown the proof when it is there.
+    void afterARunProofIsShown()
     {
-        QTest::mouseClick(strip().tile("program"), Qt::LeftButton);
-        QVERIFY(window_->activeDock() == dock("turning"));
-        QTest::mouseClick(strip().tile("proof"), Qt::LeftButton);
-        QVERIFY(window_->activeDock() == dock("chain"));
-        QTest::keyClick(strip().tile("program"), Qt::Key_Space);
-        QVERIFY(window_->activeDock() == dock("turning"));
-        // Every step has a panel in the table, in this workspace.
-        for (const chain_panel::StripStep& step : chain_panel::stripSteps()) {
+        dropAll();
+        startRun();
+        window_->enterQuestion("program");
+        QTRY_VERIFY_WITH_TIMEOUT(!row().isRunning(), 120000);
+        QTRY_COMPARE(window_->question(), std::string("proof"));
+        QTRY_VERIFY_WITH_TIMEOUT(panel().isCurrent(), 60000);
+    }
+
+    void everyStepHasAPanelInTheTable()
+    {
+        for (const chain::ChainStep& step : row().looked()->steps) {
+            const char* const id = chain_panel::panelOf(step.id);
+            if (!id) continue;
             const auto& table = panelTable();
-            const auto found = std::find_if(table.begin(), table.end(),
-                                            [&](const PanelFacts& facts) { return facts.id == step.panel; });
-            QVERIFY2(found != table.end() && isIn(*found, "copy"), step.panel);
+            QVERIFY2(std::any_of(table.begin(), table.end(), [&](const PanelFacts& facts) { return facts.id == id; }),
+                     id);
         }
+        for (const char* step : {"recognise", "draw", "machine", "speeds", "program", "deflection", "copy"})
+            QVERIFY2(chain_panel::panelOf(step), step);
     }
 };
 

@@ -21,7 +21,7 @@ class DataColumnTest : public QObject, private WindowFixture {
     {
         std::vector<PanelFacts> table = panels();
         for (PanelFacts& facts : table) facts.roles = {{"file", Text{"Numbers"}, Text{"A file"}}};
-        table[2].item_inputs = {{"profile", "file"}};  // "round", of another workspace
+        table[2].item_inputs = {{"profile", "file"}};  // "round", of another question
         window_.reset();
         session_ = std::make_unique<Session>();
         window_ = std::make_unique<MainWindow>(*session_, languages_, table);
@@ -86,7 +86,7 @@ private slots:
         QVERIFY(row("section"));
         QVERIFY2(row("section")->toolTip(0).contains("made in Fake"), qPrintable(row("section")->toolTip(0)));
         QVERIFY(row("section")->toolTip(0).contains("changed"));  // its origin is another state by now
-        window_->enterWorkspace("inspection");
+        window_->enterQuestion("copy");
         emit data()->itemActivated(row("section"), 0);
         QVERIFY(window_->activeDock() == dock("round"));
         QVERIFY(QMetaObject::invokeMethod(data(), "removeItem", Q_ARG(QString, "section")));

@@ -5,7 +5,7 @@
 
 #include "app/cli/verb.h"
 #include "app/gui/panels.h"
-#include "app/gui/workspaces.h"
+#include "app/gui/questions.h"
 #include "widgets/core/resources.h"
 
 namespace lathelier {
@@ -44,23 +44,39 @@ private slots:
             QVERIFY2(readme.contains("*" + QString(panel.title.english) + "*"), panel.title.english);
     }
 
-    void everyPanelHasIconAndWorkspace()
+    void everyPanelHasIconAndQuestion()
     {
         const auto hasIcon = [](const QString& name) { return QFile::exists(":/icons/" + name + ".svg"); };
-        for (const PanelFacts& panel : panelTable()) {
-            QVERIFY2(hasIcon(panel.icon), qPrintable(panel.icon));
-            QVERIFY(!panel.workspaces.empty());
-            for (const Workspace& workspace : panel.workspaces) QVERIFY2(hasIcon(workspace.icon), workspace.id.c_str());
+        QSet<QString> icons;
+        for (const PanelFacts& panel : panelTable()) QVERIFY2(hasIcon(panel.icon), qPrintable(panel.icon));
+        for (const Question& question : questionsOf(panelTable())) {
+            QVERIFY2(hasIcon(question.icon), question.id.c_str());
+            QVERIFY2(isNew(icons, question.icon.toStdString()), question.id.c_str());
         }
-        // Two panels that name one workspace mean the same one.
-        for (const Workspace& one : workspacesOf(panelTable()))
+    }
+
+    /// As the house has it: docs of the look, "Questions and their panels".
+    void panelsStandUnderTheirQuestions()
+    {
+        const std::vector<std::pair<std::string, std::vector<std::string>>> wanted{
+            {"scan", {"recognise"}},
+            {"drawing", {"drawing"}},
+            {"machine", {"shaft", "spindle", "tap", "frf"}},
+            {"speed", {"lobes", "pass", "speed"}},
+            {"program", {"turning", "program"}},
+            {"deflection", {"deflection", "correction"}},
+            {"copy", {"compare"}},
+            {"proof", {"chain"}},
+            {"roundness", {"roundness", "trajectory", "longitudinal", "cylindricity"}},
+            {"photographs", {"surface"}},
+            {"training", {"training"}}};
+        std::vector<std::pair<std::string, std::vector<std::string>>> found;
+        for (const Question& question : questionsOf(panelTable())) {
+            found.push_back({question.id, {}});
             for (const PanelFacts& panel : panelTable())
-                for (const Workspace& other : panel.workspaces)
-                    if (one.id == other.id) {
-                        QCOMPARE(one.title, other.title);
-                        QCOMPARE(one.icon, other.icon);
-                        QCOMPARE(one.order, other.order);
-                    }
+                if (panel.question.id == question.id) found.back().second.push_back(panel.id);
+        }
+        QVERIFY(found == wanted);
     }
 
     void verbsAndTheirOptionsAreToldApart()

@@ -16,7 +16,7 @@ private slots:
     void goesToThePanelThatTakesItsKind()
     {
         std::vector<PanelFacts> table = panels();
-        table[2].item_inputs = {{"profile", "file"}};  // "round", of another workspace
+        table[2].item_inputs = {{"profile", "file"}};  // "round", of another question
         window_.reset();                               // made by the fixture, with other panels
         session_ = std::make_unique<Session>();
         window_ = std::make_unique<MainWindow>(*session_, languages_, table);

@@ -1,5 +1,6 @@
 #include "widgets/chain/chain_panel.h"
 
+#include <QVBoxLayout>
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -17,7 +18,7 @@
 #include "engine/shaft/shaft_item.h"
 #include "widgets/chain/chain_landing.h"
 #include "widgets/chain/chain_roles.h"
-#include "widgets/chain/chain_strip.h"
+#include "widgets/chain/chain_run_row.h"
 #include "widgets/chain/chain_views.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
@@ -33,9 +34,10 @@ PanelInputs panelInputs()
     for (FieldInfo& info : infos<chain::ChainSettings>())
         if (info.key != chain::runKey) inputs.fields.push_back(std::move(info));
     inputs.defaults = toValues(chain::ChainSettings{});
-    inputs.invitation = LT_TEXT("Engine",
-                                "The strip above runs the chain from the scan of a worn part to the proof of its copy; "
-                                "drop its files here, or a dossier that was made before.");
+    inputs.invitation =
+        LT_TEXT("Engine",
+                "The button above runs the chain from the scan of a worn part to the proof of its copy; "
+                "drop its files here, or a dossier that was made before.");
     return inputs;
 }
 
@@ -60,20 +62,13 @@ const char* roleFor(const project::PanelState& state, const io::FileKind* kind)
 
 }  // namespace
 
-std::vector<std::string> panelsOfSteps()
-{
-    std::vector<std::string> ids;
-    for (const StripStep& step : stripSteps()) ids.emplace_back(step.panel);
-    return ids;
-}
-
 PanelFacts chainPanelFacts()
 {
     PanelFacts facts;
     facts.id = chain::chainKey;
     facts.title = LT_TEXT("Engine", "Proof of the copy");
     facts.icon = "chain";
-    facts.workspaces = {workspaceOf("copy")};
+    facts.question = questionOf("proof");
     facts.roles = panelInputs().roles;
     facts.kinds = kindsOf(facts.roles);
     facts.kinds.push_back(&chain::dossierFiles());
@@ -90,15 +85,15 @@ PanelFacts chainPanelFacts()
     return facts;
 }
 
-StripFacts chainStrip()
-{
-    return {"copy", [](Session& session) -> WorkspaceStrip* { return new ChainStrip(session); }};
-}
-
 ChainPanel::ChainPanel(Session& owner, QWidget* parent)
-    : Panel(owner, chainPanelFacts(), panelInputs(), parent), views_(new ChainViews)
+    : Panel(owner, chainPanelFacts(), panelInputs(), parent), views_(new ChainViews), run_(new ChainRunRow(owner))
 {
     setViews(views_, views_->primaryViews());
+    static_cast<QVBoxLayout*>(layout())->insertWidget(0, run_);  // without a result too
+    connect(run_, &ChainRunRow::lookedAgain, views_, &ChainViews::setLooked);
+    connect(run_, &ChainRunRow::panelRequested, this, &ChainPanel::panelRequested);
+    connect(run_, &ChainRunRow::messageRaised, this, &ChainPanel::messageRaised);
+    connect(views_, &ChainViews::stepRequested, run_, &ChainRunRow::openStep);
     connect(views_, &ChainViews::fitRequested, this, &ChainPanel::takeFit);
     connect(views_, &ChainViews::notWritten, this, &ChainPanel::reportWriteFailure);
 }
@@ -122,7 +117,7 @@ ChainPanel::Compute ChainPanel::compute(const project::PanelState& state) const
     };
 }
 
-/// The strip refers to the inputs.
+/// The row above refers to the inputs.
 Worker::Job ChainPanel::makeReadingJob(const project::PanelState&) const
 {
     return [](const Progress&) -> std::shared_ptr<const void> { return nullptr; };
@@ -131,6 +126,7 @@ Worker::Job ChainPanel::makeReadingJob(const project::PanelState&) const
 void ChainPanel::showResult(const std::shared_ptr<const chain::ChainOutcome>& outcome)
 {
     views_->setOutcome(outcome);
+    if (run_->looked()) views_->setLooked(run_->looked());
 }
 
 void ChainPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
@@ -171,6 +167,7 @@ void ChainPanel::setPresenting(bool presenting)
 {
     Panel::setPresenting(presenting);
     views_->setPresenting(presenting);
+    run_->setVisible(!presenting);
 }
 
 void ChainPanel::retranslate()

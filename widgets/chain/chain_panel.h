@@ -1,23 +1,17 @@
 // The panel "Proof of the copy": does the copy agree with the prediction, and from which input does every number
-// follow? The strip of its workspace runs the chain.
+// follow? A row above it runs the chain.
 #pragma once
 
 #include "engine/chain/of_project/chain_study.h"
 #include "widgets/core/panel/panel.h"
-#include "widgets/core/panel/workspace_strip.h"
 
 namespace lathelier::chain_panel {
 
+class ChainRunRow;
 class ChainViews;
-
-/// Ids of the panels opened by its steps.
-std::vector<std::string> panelsOfSteps();
 
 /// The panel's line of the panel table.
 PanelFacts chainPanelFacts();
-
-/// The strip of its workspace; `ask` runs a step.
-StripFacts chainStrip();
 
 class ChainPanel : public Panel<chain::ChainOutcome> {
     Q_OBJECT
@@ -26,6 +20,7 @@ public:
     explicit ChainPanel(Session& session, QWidget* parent = nullptr);
 
     ChainViews& views() const { return *views_; }
+    ChainRunRow& runRow() const { return *run_; }
     void setPresenting(bool presenting) override;
 
 protected:
@@ -44,6 +39,7 @@ private:
     void takeFit();
 
     ChainViews* views_;
+    ChainRunRow* run_;
 };
 
 }  // namespace lathelier::chain_panel

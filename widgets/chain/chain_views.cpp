@@ -3,6 +3,7 @@
 #include <QVBoxLayout>
 
 #include "engine/chain/dossier_report.h"
+#include "widgets/chain/chain_steps.h"
 #include "widgets/core/language.h"
 
 namespace lathelier::chain_panel {
@@ -36,6 +37,10 @@ ChainViews::ChainViews(QWidget* parent)
     layout->addWidget(primaryViews_, 1);
     layout->addWidget(takeFit_, 0, Qt::AlignRight);
     connect(takeFit_, &QPushButton::clicked, this, &ChainViews::fitRequested);
+    connect(steps_, &QTableWidget::cellActivated, this, [this](int row, int) {
+        if (looked_ && row < static_cast<int>(looked_->steps.size()))
+            emit stepRequested(looked_->steps[static_cast<std::size_t>(row)].id);
+    });
     connect(chart_, &plot::PlotWidget::notWritten, this, &ChainViews::notWritten);
     retranslate();
 }
@@ -43,21 +48,42 @@ ChainViews::ChainViews(QWidget* parent)
 void ChainViews::setOutcome(const std::shared_ptr<const chain::ChainOutcome>& outcome)
 {
     outcome_ = outcome;
+    looked_ = outcome->dossier;
     for (const char* key : {"proof", "rows"}) primaryViews_->setAvailable(key, outcome->proof.has_value());
     primaryViews_->setAvailable("fit", outcome->fit.has_value());
     show();
 }
 
+void ChainViews::setLooked(const std::shared_ptr<const chain::Dossier>& dossier)
+{
+    looked_ = dossier;
+    showSteps();
+}
+
+/// The files of a step stand in its tooltip.
+void ChainViews::showSteps()
+{
+    if (!looked_) return;
+    steps_->setTable(chain::stepsTable(*looked_));
+    for (int row = 0; row < steps_->rowCount(); ++row) {
+        const chain::ChainStep& step = looked_->steps[static_cast<std::size_t>(row)];
+        QTableWidgetItem* const state = steps_->item(row, 1);
+        state->setText(signOf(chain::standingOf(step)) + " " + state->text());
+        for (int column = 0; column < steps_->columnCount(); ++column)
+            steps_->item(row, column)->setToolTip(aboutOf(step));
+    }
+}
+
 void ChainViews::show()
 {
     takeFit_->setEnabled(outcome_ && outcome_->fit);
+    showSteps();
     if (!outcome_) return;
     if (outcome_->proof) {
         chart_->setData(chain::plotOf(*outcome_));
         rows_->setTable(chain::proofTable(*outcome_->proof));
     }
     if (outcome_->fit) fit_->setTable(chain::fitTable(*outcome_->fit));
-    steps_->setTable(chain::stepsTable(*outcome_->dossier));
     files_->setTable(chain::filesTable(*outcome_->dossier));
     numbers_->setTable(chain::numbersTable(*outcome_->dossier));
 }

@@ -20,6 +20,8 @@ public:
     explicit ChainViews(QWidget* parent = nullptr);
 
     void setOutcome(const std::shared_ptr<const chain::ChainOutcome>& outcome);
+    /// The steps as the folder stands now, where that was inspected after the run.
+    void setLooked(const std::shared_ptr<const lathelier::chain::Dossier>& dossier);
     void showStretch(const Interval& z_mm);
     void setPresenting(bool presenting);  ///< hides the buttons
     void retranslate();
@@ -27,17 +29,21 @@ public:
     PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* chart() const { return chart_; }
     CopyTable* rows() const { return rows_; }
+    CopyTable* steps() const { return steps_; }
     CopyTable* numbers() const { return numbers_; }
     QPushButton* takeFit() const { return takeFit_; }
 
 signals:
-    void fitRequested();                   ///< request to use the fitted machine
-    void notWritten(const QString& path);  ///< an image could not be written
+    void stepRequested(const std::string& step);  ///< double click or Enter on a step
+    void fitRequested();                          ///< request to use the fitted machine
+    void notWritten(const QString& path);         ///< an image could not be written
 
 private:
     void show();
+    void showSteps();
 
     std::shared_ptr<const chain::ChainOutcome> outcome_;
+    std::shared_ptr<const chain::Dossier> looked_;
     PrimaryViews* primaryViews_;
     plot::ChartView* chart_;
     CopyTable* rows_;

@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 
 #include "engine/chain/dossier_report.h"
-#include "widgets/chain/step_tile.h"
+#include "widgets/chain/chain_steps.h"
 #include "widgets/core/language.h"
 
 namespace lathelier::chain_panel {
@@ -44,7 +44,7 @@ QStringList stepsToRun(const chain::Dossier& looked)
     for (const chain::ChainStep& step : looked.steps)
         if (isToRun(step))
             lines << signOf({step.state, {}}) + " " + screenText(chain::titleOf(step.id)) + " (" +
-                         wordOf({step.state, {}}) + ")";
+                         screenText(chain::nameOf(step.state)) + ")";
     return lines;
 }
 

@@ -27,8 +27,12 @@ public:
         const QPalette::ColorGroup group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
         const QPalette::ColorRole role = mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::WindowText;
         QByteArray svg = file.readAll();
-        svg.replace("currentColor", palette.color(group, role).name().toLatin1());
+        const QColor colour = palette.color(group, role);
+        svg.replace("currentColor", colour.name().toLatin1());
+        painter->save();
+        painter->setOpacity(colour.alphaF());  // disabled colours of the theme differ by their opacity alone
         QSvgRenderer(svg).render(painter, QRectF(rect));
+        painter->restore();
     }
 
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override

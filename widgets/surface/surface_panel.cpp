@@ -70,7 +70,6 @@ bool hasPicture(const project::PanelState& state)
 PanelFacts surfacePanelFacts()
 {
     PanelFacts facts = factsOf(surface::surfaceTask(), "surface", "surface", roles, {}, beginning());
-    facts.workspaces = {workspaceOf("copy"), workspaceOf("training")};
     facts.kinds = {&io::imageFiles()};  // a response opens the panels of chatter
     facts.item_inputs.clear();          // likewise
     facts.roles = shownRoles();

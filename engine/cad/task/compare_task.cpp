@@ -202,7 +202,7 @@ const task::Task& compareTask()
         made.title = LT_TEXT("Engine", "Compare");
         made.summary =
             "Compare a copy with its original or its drawing: alignment, signed surface deviation, sizes, verdict.";
-        made.workspace = "inspection";
+        made.question = "copy";
         made.inputs = compareInputs();
         task::askFor<CompareQuestion>(made);
         made.exports = {{deviationsExport, "Write every point of the copy with its deviation (FILE.ply or FILE.csv).",

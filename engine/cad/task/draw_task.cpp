@@ -171,7 +171,7 @@ const task::Task& drawTask()
         made.key = "draw";
         made.title = LT_TEXT("Engine", "Drawing");
         made.summary = "Check a shaft and write it as CAD, drawing and tables.";
-        made.workspace = "copy";
+        made.question = "drawing";
         made.products = {shaftItem};
         made.inputs = {task::optionalInput<PartInput>(
             shaftRole, "", LT_TEXT("Engine", "Shaft"),

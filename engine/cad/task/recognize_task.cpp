@@ -211,7 +211,7 @@ const task::Task& recognizeTask()
         made.title = LT_TEXT("Engine", "Recognise");
         made.summary =
             "Recognize a turned part in its scan: diameters, lengths, chamfers, fillets, their uncertainties.";
-        made.workspace = "copy";
+        made.question = "scan";
         made.products = {shaftItem};
         made.inputs = {task::input<io::ScanInput>(scanRole, "", LT_TEXT("Engine", "Scan"),
                                                   LT_TEXT("Engine", "Points or mesh of a turned part, in any pose"))};

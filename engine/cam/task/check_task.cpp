@@ -94,7 +94,7 @@ const task::Task& checkTask()
         task::Task made;
         made.key = "check";
         made.title = LT_TEXT("Engine", "Check");
-        made.workspace = "copy";
+        made.question = "program";
         made.summary =
             "Check a turning program against its drawing and its stock: what it cuts too deep, leaves and meets.";
         made.inputs = {

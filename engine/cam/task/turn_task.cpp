@@ -268,7 +268,7 @@ const task::Task& turnTask()
         made.title = LT_TEXT("Engine", "Turning program");
         made.summary =
             "Plan a turning program from a part and a job, write it for a control, and check what was written.";
-        made.workspace = "copy";
+        made.question = "program";
         made.products = {gcode::programItem, frfItem};
         made.inputs = {
             task::input<cad::PartInput>(

@@ -85,7 +85,7 @@ const task::Task& cylindricityTask()
         made.key = "cylindricity";
         made.title = LT_TEXT("Engine", "Cylindricity");
         made.summary = "Cylindricity of points: least-squares and minimum-zone cylinder, axis straightness, verdict.";
-        made.workspace = "roundness";
+        made.question = "roundness";
         made.inputs = {task::input<io::ScanInput>(
             pointsRole, "", LT_TEXT("Engine", "Points"),
             LT_TEXT("Engine", "Points of one cylindrical surface: a scan, or sections measured one above the other."))};

@@ -309,7 +309,7 @@ const task::Task& modesTask()
         made.key = "modes";
         made.title = LT_TEXT("Engine", "FRF");
         made.summary = "Modes of a measured frequency response, beside that of a computed shaft.";
-        made.workspace = "chatter";
+        made.question = "machine";
         made.products = {frfItem};
         made.inputs = {
             task::optionalInput<io::FrfInput>(responseRole, "", LT_TEXT("Engine", "Frequency response"),

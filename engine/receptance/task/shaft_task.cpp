@@ -191,7 +191,7 @@ const task::Task& shaftTask()
         made.key = "frf";
         made.title = LT_TEXT("Engine", "Shaft");
         made.summary = "Frequency response and natural frequencies of a shaft, free or on its spindle.";
-        made.workspace = "chatter";
+        made.question = "machine";
         made.products = {shaftItem, frfItem};
         made.inputs = {
             task::optionalInput<io::ShaftInput>(

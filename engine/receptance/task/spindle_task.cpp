@@ -267,7 +267,7 @@ const task::Task& spindleTask()
         made.key = "spindle";
         made.title = LT_TEXT("Engine", "Spindle");
         made.summary = "Identify the receptance of a spindle from tap tests on rods (inverse coupling).";
-        made.workspace = "chatter";
+        made.question = "machine";
         made.products = {spindleItem};
         made.inputs = {task::optionalInput<MeasurementsInput>(
             measurementsRole, "", LT_TEXT("Engine", "Tap tests"),

@@ -190,7 +190,7 @@ const task::Task& tapTask()
         made.key = "tap";
         made.title = LT_TEXT("Engine", "Tap test");
         made.summary = "Frequency response from the time records of an impact test: hammer and sensor.";
-        made.workspace = "chatter";
+        made.question = "machine";
         made.products = {frfItem};
         task::Input record = task::input<io::TimeRecordInput>(
             tapRecordRole, "", LT_TEXT("Engine", "Time record"),

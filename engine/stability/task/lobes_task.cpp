@@ -288,7 +288,7 @@ const task::Task& lobesTask()
         made.key = "lobes";
         made.title = LT_TEXT("Engine", "Lobes");
         made.summary = "Stability lobes: the limiting depth of cut over the spindle speed.";
-        made.workspace = "chatter";
+        made.question = "speed";
         made.inputs = responseInputs();
         made.inputs.push_back(task::optionalInput<MarksInput>(
             marksRole, "", LT_TEXT("Engine", "Chatter marks"),

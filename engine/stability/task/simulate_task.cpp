@@ -84,7 +84,7 @@ const task::Task& simulateTask()
         made.key = "simulate";
         made.title = LT_TEXT("Engine", "Simulation");
         made.summary = "Simulate a cut in time, with loss of contact: does it chatter?";
-        made.workspace = "chatter";
+        made.question = "speed";
         made.inputs = responseInputs();
         made.one_of = responseSources();
         made.only_with = responseRules();

@@ -288,7 +288,7 @@ const task::Task& speedTask()
         made.key = "speed";
         made.title = LT_TEXT("Engine", "Speed");
         made.summary = "Recommend a spindle speed without chatter in place of the selected one.";
-        made.workspace = "chatter";
+        made.question = "speed";
         made.inputs = responseInputs();
         made.one_of = responseSources();
         made.one_of.keys.emplace_back(barLengthKey);

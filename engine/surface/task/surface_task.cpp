@@ -191,7 +191,7 @@ const task::Task& surfaceTask()
         made.key = "surface";
         made.title = LT_TEXT("Engine", "Surface");
         made.summary = "Photographs of turned surfaces: feed marks, chatter marks and their frequency.";
-        made.workspace = "copy";
+        made.question = "photographs";
         made.products = {stability::marksItem};
         made.inputs = surfaceInputs();
         task::askFor<SurfaceQuestion>(made);

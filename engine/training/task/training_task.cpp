@@ -226,7 +226,7 @@ const task::Task& trainingTask()
         made.key = "training";
         made.title = LT_TEXT("Engine", "Training");
         made.summary = "A cut of a scenario with its limits, simulated.";
-        made.workspace = "training";
+        made.question = "training";
         made.inputs = {task::optionalInput<io::FrfInput>(
             responseRole, "", LT_TEXT("Engine", "Frequency response"),
             LT_TEXT("Engine", "Of a machine of your own, in place of the scenario: UFF, CSV or MAT."))};

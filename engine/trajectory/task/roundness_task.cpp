@@ -302,7 +302,7 @@ const task::Task& roundnessTask()
         made.key = "roundness";
         made.title = LT_TEXT("Engine", "Roundness");
         made.summary = "Roundness of profiles: four reference circles, harmonics, uncertainty, verdict.";
-        made.workspace = "roundness";
+        made.question = "roundness";
         made.inputs = roundnessInputs();
         made.one_of = {{profileRole, recordRole}, LT_TEXT("Engine", "Probe record or profile")};
         task::askFor<RoundnessQuestion>(made);

@@ -84,7 +84,7 @@ task::Task taskOfRecords()
     task::Task made;
     made.key = "trajectory";
     made.summary = "Evaluate probe records: trajectories, image of the surface, roundness, longitudinal section.";
-    made.workspace = "roundness";
+    made.question = "roundness";
     made.inputs = {recordInput("")};
     task::askFor<TrajectoryQuestion>(made);
     return made;

@@ -35,6 +35,40 @@ private slots:
         QCOMPARE(shown[3].code, notes::methodChosen);
     }
 
+    /// In a window of 1280 pixels the largest type does not hold a long value with its badge.
+    void thePresentedValueIsWhole()
+    {
+        QWidget window;
+        auto* layout = new QVBoxLayout(&window);
+        auto* strip = new AnswerStrip;
+        layout->addWidget(strip);
+        layout->addStretch();
+        window.resize(1280, 800);
+        window.show();
+        report::Answer answer;
+        answer.quantity = Text{"Worst local deviation"};
+        answer.subject = "z 141.6 mm, 180°";
+        answer.value = 0.05;
+        answer.expanded_uncertainty = 0.004;
+        answer.unit = Text{"mm"};
+        answer.is_signed = true;
+        answer.upper_limit = 0.04;
+        answer.lower_limit = -0.04;
+        answer.verdict = Verdict::Undecided;
+        answer.verdict_words = Text{"? cannot be decided: too near the tolerance"};
+        strip->setPresenting(true);
+        strip->setAnswer(answer);
+        const auto* value = strip->findChild<QLabel*>("headline");
+        const auto fits = [&] { return value->fontMetrics().horizontalAdvance(value->text()) <= value->width(); };
+        QTRY_VERIFY(fits());
+        const double small = value->font().pointSizeF();
+        answer.verdict_words = Text{"? undecided"};
+        strip->setAnswer(answer);
+        QTRY_VERIFY(fits());
+        QVERIFY(value->font().pointSizeF() > small);  // as large as there is room for
+        QVERIFY(QFontMetrics(value->font()).height() > 56);
+    }
+
     void oneNoteForAllItsFiles()
     {
         Note other = note(notes::rowsSkipped, "/b/two.xyz");

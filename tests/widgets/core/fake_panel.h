@@ -46,14 +46,14 @@ public:
         setViews(views_);
     }
 
-    static PanelFacts factsOf(const std::string& id, const std::string& workspace = "inspection")
+    /// `title`: kept for the length of the program; none: "Fake".
+    static PanelFacts factsOf(const std::string& id, const std::string& question = "copy", const char* title = "Fake")
     {
         return {
             id,
-            Text{"Fake"},
+            Text{title},
             "compare",
-            {workspace == "inspection" ? Workspace{workspace, Text{"Inspection"}, "inspection", 10}
-                                       : Workspace{workspace, Text{"Roundness"}, "roundness", 20}},
+            questionOf(question),
             [id](Session& owner) { return new FakePanel(owner, id); },
             [](const project::PanelState&, Stores&, const Language&, const Progress&) { return report::Document{}; }};
     }

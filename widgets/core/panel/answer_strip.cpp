@@ -20,6 +20,8 @@ constexpr int presentedValue_px = 96;  // font height in presenter mode
 constexpr int leastRuler_chars = 24;
 constexpr int mostRuler_chars = 60;
 constexpr int presentedLeast_px = 56;  // font height in presenter mode in a small window
+constexpr int rowSpacing_px = 14;      // between badge, value, ruler and notes
+constexpr int side_px = 10;            // left and right of them
 
 QFont scaled(const QFont& font, double factor)
 {
@@ -209,7 +211,7 @@ AnswerStrip::AnswerStrip(QWidget* parent)
     verdict_->setObjectName("verdict");
     verdict_->setAlignment(Qt::AlignCenter);
     auto* first = new QHBoxLayout;
-    first->setSpacing(14);
+    first->setSpacing(rowSpacing_px);
     first->addWidget(verdict_);
     auto* number = new QVBoxLayout;
     number->setSpacing(0);
@@ -236,7 +238,7 @@ AnswerStrip::AnswerStrip(QWidget* parent)
     }
     third->addStretch();
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(10, 6, 10, 6);
+    layout->setContentsMargins(side_px, 6, side_px, 6);
     layout->setSpacing(3);
     layout->addLayout(first);
     layout->addWidget(sentence_);
@@ -267,6 +269,7 @@ void AnswerStrip::setAnswer(const report::Answer& answer)
     verdict_->setText(toQString(report::verdictText(answer, language)));
     showPlate(answer.verdict, true);
     ruler_->setAnswer(answer);
+    if (presenting_) applyFonts();
     showRuler();
     QString sentence = toQString(report::sentenceText(answer, language));
     if (const QString assumed = toQString(report::assumedText(answer, language)); !assumed.isEmpty())
@@ -302,16 +305,14 @@ void AnswerStrip::setNotes(const Notes& notes)
 void AnswerStrip::clear()
 {
     answer_.reset();
-    quantity_->say({});
-    quantity_->setToolTip({});
-    value_->say({});
-    value_->setToolTip({});
+    for (ElidedLabel* label : {quantity_, value_, sentence_}) {
+        label->say({});
+        label->setToolTip({});
+    }
     verdict_->clear();
     showPlate({}, false);
     ruler_->setAnswer({});
     showRuler();
-    sentence_->say({});
-    sentence_->setToolTip({});
     for (FindingLink* finding : findings_) {
         finding->offer({}, false);
         finding->setVisible(sentence_->isVisibleTo(this) && finding == findings_[0]);
@@ -344,15 +345,25 @@ void AnswerStrip::setPresenting(bool presenting)
     applyFonts();
 }
 
+/// As large as the window allows; smaller where the value would not be whole beside badge and notes.
+void AnswerStrip::fitPresented(QFont& font) const
+{
+    const int most_px = std::clamp(window()->height() / 9, presentedLeast_px, presentedValue_px);
+    font.setPointSizeF(most_px * 72.0 / logicalDpiY());
+    const int beside = verdict_->isVisibleTo(this) ? verdict_->sizeHint().width() + rowSpacing_px : 0;
+    const int room = contentsRect().width() - 2 * side_px - beside - notes_->sizeHint().width() - 2 * rowSpacing_px;
+    const int wanted = QFontMetrics(font).horizontalAdvance(value_->text()) + 4;
+    if (wanted > room && room > 0) font.setPointSizeF(font.pointSizeF() * room / wanted);
+}
+
 /// The height of the strip is the same with and without an answer.
 void AnswerStrip::applyFonts()
 {
     QFont large = scaled(font(), valueSize);
     large.setWeight(QFont::DemiBold);
-    const int presented_px = std::clamp(window()->height() / 9, presentedLeast_px, presentedValue_px);
-    if (presenting_) large.setPointSizeF(presented_px * 72.0 / logicalDpiY());
-    value_->setFont(large);
     verdict_->setFont(scaled(font(), presenting_ ? 1.5 : 1.25));
+    if (presenting_) fitPresented(large);
+    value_->setFont(large);
     const int first = std::max({QFontMetrics(large).height() + fontMetrics().height(),
                                 QFontMetrics(verdict_->font()).height() + 10, ruler_->minimumSizeHint().height()});
     const int around = 12 + 2 * frameWidth();

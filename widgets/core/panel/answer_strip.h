@@ -88,6 +88,7 @@ protected:
 
 private:
     void applyFonts();
+    void fitPresented(QFont& font) const;
     void showRuler();
     void showPlate(const std::optional<Verdict>& verdict, bool known);
 

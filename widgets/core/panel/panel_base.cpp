@@ -304,6 +304,12 @@ void PanelBase::showAnswer()
         message_->clear();
 }
 
+std::optional<report::Answer> PanelBase::shownAnswer() const
+{
+    if (!hasResult() || problemOf(result_.get())) return std::nullopt;
+    return answerOf(result_.get());
+}
+
 std::optional<report::Document> PanelBase::reportDocument() const
 {
     if (!hasResult() || problemOf(result_.get())) return std::nullopt;

@@ -49,6 +49,9 @@ public:
     void cancel();
     void recompute();  ///< recomputes although the state is unchanged (a file on disk may have changed)
 
+    /// The answer in the strip; nullopt without a result.
+    std::optional<report::Answer> shownAnswer() const;
+
     /// The panel's part of a report for the shown result; nullopt without a result.
     std::optional<report::Document> reportDocument() const;
 
@@ -72,6 +75,7 @@ signals:
     void resultShown();
     void messageRaised(const lathelier::Message& message);
     void sampleRequested();
+    void panelRequested(const std::string& id);  ///< request to show another panel
     void reportRequested(const QString& suffix);  ///< request for a report of this panel: "html" or "pdf"
 
 protected:

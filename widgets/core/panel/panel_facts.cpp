@@ -7,15 +7,20 @@
 
 namespace lathelier {
 
-const Workspace& workspaceOf(const std::string& id)
+const Question& questionOf(const std::string& id)
 {
-    static const std::vector<Workspace> all = {{"inspection", LT_TEXT("Engine", "Inspection"), "inspection", 10},
-                                               {"roundness", LT_TEXT("Engine", "Roundness"), "roundness", 20},
-                                               {"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30},
-                                               {"deflection", LT_TEXT("Engine", "Deflection"), "deflection", 40},
-                                               {"copy", LT_TEXT("Engine", "Copy a part"), "copy_part", 50},
-                                               {"training", LT_TEXT("Engine", "Training"), "training", 60}};
-    return *std::find_if(all.begin(), all.end(), [&](const Workspace& one) { return one.id == id; });
+    static const std::vector<Question> all = {{"scan", LT_TEXT("Engine", "Scan"), "scan", 10},
+                                              {"drawing", LT_TEXT("Engine", "Drawing"), "drawing", 20},
+                                              {"machine", LT_TEXT("Engine", "Machine"), "spindle", 30},
+                                              {"speed", LT_TEXT("Engine", "Speed"), "speed", 40},
+                                              {"program", LT_TEXT("Engine", "Program"), "program", 50},
+                                              {"deflection", LT_TEXT("Engine", "Deflection"), "deflection", 60},
+                                              {"copy", LT_TEXT("Engine", "Copy"), "compare", 70},
+                                              {"proof", LT_TEXT("Engine", "Proof"), "chain", 80},
+                                              {"roundness", LT_TEXT("Engine", "Roundness"), "roundness", 90, true},
+                                              {"photographs", LT_TEXT("Engine", "Photographs"), "surface", 100, true},
+                                              {"training", LT_TEXT("Engine", "Training"), "training", 110, true}};
+    return *std::find_if(all.begin(), all.end(), [&](const Question& one) { return one.id == id; });
 }
 
 std::vector<walk::Place> placesOf(const std::vector<PanelFacts>& table)

@@ -26,16 +26,17 @@ class PanelBase;
 class Session;
 class Stores;
 
-/// An arrangement of panels for one kind of work; its panels are docked together.
-struct Workspace {
-    std::string id;  ///< key in the project and the settings
-    Text title;      ///< shown text
-    QString icon;    ///< icon name in resources/icons
-    int order = 0;   ///< order in the bar, ascending
+/// A question of the window: one box of the bar at the top; its panels are docked together.
+struct Question {
+    std::string id;       ///< key in the project and the settings
+    Text title;           ///< shown text
+    QString icon;         ///< icon name in resources/icons
+    int order = 0;        ///< order in the bar, ascending
+    bool beside = false;  ///< it stands beside the chain from the scan to the proof
 };
 
-/// The workspace with this id. Precondition: there is one.
-const Workspace& workspaceOf(const std::string& id);
+/// The question with this id. Precondition: there is one.
+const Question& questionOf(const std::string& id);
 
 /// An input of a panel, given by a file, or by several that belong together.
 struct InputRole {
@@ -51,10 +52,10 @@ struct InputRole {
 
 /// One line of the panel table (app/gui/panels.cpp); menu, dock, layouts and reports derive from it.
 struct PanelFacts {
-    std::string id;                     ///< key in the report, the layouts and the settings: "compare"
-    Text title;                         ///< shown in menus, tabs and reports
-    QString icon;                       ///< icon name in resources/icons
-    std::vector<Workspace> workspaces;  ///< its workspaces, the main one first
+    std::string id;     ///< key in the report, the layouts and the settings: "compare"
+    Text title;         ///< shown in menus, tabs and reports
+    QString icon;       ///< icon name in resources/icons
+    Question question;  ///< under which it stands
     std::function<PanelBase*(Session&)> make;
 
     /// The panel's part of a report without any widget or display; blocks. Throws the exceptions of the engine.
@@ -72,7 +73,7 @@ struct PanelFacts {
     /// Key of the panel's state in the project; empty: the id. Panels with equal keys share one state.
     std::string state = {};
 
-    /// Accepted kinds of file: such a file opens this panel and its workspace.
+    /// Accepted kinds of file: such a file opens this panel and its question.
     io::FileKinds kinds = {};
 
     /// Missing required inputs; none: missingOf(roles).

@@ -63,7 +63,7 @@ PanelFacts factsOf(const task::Task& task, const char* id, const char* icon, con
     facts.begins_with = begins_with;
     facts.title = task.title;
     facts.icon = icon;
-    facts.workspaces = {workspaceOf(task.workspace)};
+    facts.question = questionOf(task.question);
     facts.roles = rolesOf(task, roles);
     facts.kinds = kindsOf(facts.roles);
     for (const InputRole& role : facts.roles)

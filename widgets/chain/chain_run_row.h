@@ -1,44 +1,47 @@
-// The chain as a strip over the panels of "Copy a part": scan · drawing · machine · speeds · program · deflection ·
-// copy · proof. Each step shows its state as text and symbol, its files in the tooltip, and opens its panel. Missing or
-// outdated steps are run on request only.
+// The row of Proof that runs the chain: missing or outdated steps on request only, progress and Cancel, report and
+// dossier. It inspects the folder of the chain again when a file has changed.
 #pragma once
 
 #include <QLabel>
 #include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QStackedWidget>
 #include <QTimer>
 #include <QToolButton>
-#include <vector>
+#include <QWidget>
 
 #include "engine/chain/of_project/project_chain.h"
 #include "engine/chain/remanufacture.h"
-#include "widgets/chain/step_tile.h"
-#include "widgets/chain/strip_steps.h"
-#include "widgets/core/panel/workspace_strip.h"
+#include "widgets/core/panel/message.h"
 #include "widgets/core/session.h"
 #include "widgets/core/task/task.h"
 
 namespace lathelier::chain_panel {
 
 class RunDialog;
-struct StripStep;
 
-class ChainStrip : public WorkspaceStrip {
+class ChainRunRow : public QWidget {
     Q_OBJECT
 
 public:
-    ChainStrip(Session& session, QWidget* parent = nullptr);
-    ~ChainStrip() override;
+    explicit ChainRunRow(Session& session, QWidget* parent = nullptr);
+    ~ChainRunRow() override;
 
     const std::shared_ptr<const chain::Dossier>& looked() const { return looked_; }  ///< null: not inspected yet
     bool isLooking() const { return due_.isActive() || look_.isBusy(); }
     bool isRunning() const { return run_.isBusy(); }
-    StepTile* tile(const std::string& key) const;
 
     void askToRun();  ///< runs missing and outdated steps after confirmation
     void look();      ///< inspects the folder again, since a file may have changed
+
+    /// Gives the panel of a step the files and parameters of the chain, in one step that can be undone, and asks for
+    /// it. What the chain takes from panels becomes its own first, so that they no longer rule its question.
+    void openStep(const std::string& step);
+
+signals:
+    void lookedAgain(const std::shared_ptr<const lathelier::chain::Dossier>& dossier);
+    void panelRequested(const std::string& id);
+    void messageRaised(const lathelier::Message& message);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -46,7 +49,6 @@ protected:
 
 private:
     void lookSoon() { due_.start(); }
-    void openStep(const StripStep& step);
     void watchFiles();
     void show(const std::shared_ptr<const chain::Dossier>& dossier);
     void run(const chain::AskedChain& asked);
@@ -60,9 +62,8 @@ private:
     void retranslate();
 
     Session& session_;
-    std::vector<StepTile*> tiles_;
-    QStackedWidget* stack_;
     QPushButton* start_;
+    QWidget* running_;  ///< phase, progress and Cancel
     QLabel* phase_;
     QProgressBar* bar_;
     QPushButton* cancel_;

@@ -1,4 +1,4 @@
-#include "widgets/chain/chain_strip.h"
+#include "widgets/chain/chain_run_row.h"
 
 #include <QDesktopServices>
 #include <QEvent>
@@ -18,6 +18,7 @@
 #include "engine/io/file.h"
 #include "engine/report/html.h"
 #include "widgets/chain/chain_landing.h"
+#include "widgets/chain/chain_steps.h"
 #include "widgets/chain/run_dialog.h"
 #include "widgets/core/icons.h"
 #include "widgets/core/language.h"
@@ -29,7 +30,8 @@ namespace {
 constexpr int settling_ms = 150;
 constexpr int watching_ms = 2000;
 
-const Text chainTitle = LT_TEXT("Engine", "Chain");
+/// Of the panel, whose messages these are.
+const Text chainTitle = LT_TEXT("Engine", "Proof of the copy");
 
 /// Stamp of a folder that detects changes without reading its files.
 std::string stampsOf(const chain::Dossier& dossier, const std::string& folder, const Progress& progress)
@@ -69,11 +71,11 @@ void writeMade(const chain::AskedChain& asked)
 
 }  // namespace
 
-ChainStrip::ChainStrip(Session& session, QWidget* parent)
-    : WorkspaceStrip(parent),
+ChainRunRow::ChainRunRow(Session& session, QWidget* parent)
+    : QWidget(parent),
       session_(session),
-      stack_(new QStackedWidget),
       start_(new QPushButton),
+      running_(new QWidget),
       phase_(new QLabel),
       bar_(new QProgressBar),
       cancel_(new QPushButton),
@@ -82,18 +84,11 @@ ChainStrip::ChainStrip(Session& session, QWidget* parent)
       dossier_(new QAction(this)),
       folder_(new QAction(this))
 {
-    setObjectName("chainStrip");
+    setObjectName("chainRunRow");
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(4, 2, 4, 2);
     row->setSpacing(4);
-    for (const StripStep& step : stripSteps()) {
-        auto* tile = new StepTile;
-        tile->setObjectName(QString("step_") + step.key);
-        connect(tile, &QAbstractButton::clicked, this, [this, &step] { openStep(step); });
-        tiles_.push_back(tile);
-        row->addWidget(tile, 1);
-    }
     start_->setObjectName("runChainWanted");
     cancel_->setObjectName("cancelChain");
     phase_->setObjectName("chainPhase");
@@ -102,8 +97,7 @@ ChainStrip::ChainStrip(Session& session, QWidget* parent)
     bar_->setRange(0, 1000);
     bar_->setTextVisible(false);
     bar_->setMaximumHeight(fontMetrics().height() / 2);
-    auto* running = new QWidget;
-    auto* columns = new QHBoxLayout(running);
+    auto* columns = new QHBoxLayout(running_);
     columns->setContentsMargins(0, 0, 0, 0);
     auto* words = new QVBoxLayout;
     words->setSpacing(1);
@@ -111,12 +105,12 @@ ChainStrip::ChainStrip(Session& session, QWidget* parent)
     words->addWidget(bar_);
     columns->addLayout(words, 1);
     columns->addWidget(cancel_);
-    stack_->addWidget(start_);
-    stack_->addWidget(running);
-    stack_->setFixedWidth(fontMetrics().averageCharWidth() * 32);
-    stack_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    start_->setFixedHeight(tiles_.front()->sizeHint().height());
-    row->addWidget(stack_);
+    QSizePolicy kept(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    kept.setRetainSizeWhenHidden(true);
+    running_->setSizePolicy(kept);
+    running_->hide();
+    row->addWidget(start_);
+    row->addWidget(running_, 1);
     more_->setObjectName("chainMore");
     more_->setPopupMode(QToolButton::InstantPopup);
     more_->setIcon(icon("export"));
@@ -124,33 +118,28 @@ ChainStrip::ChainStrip(Session& session, QWidget* parent)
     for (QAction* action : {report_, dossier_, folder_}) menu->addAction(action);
     more_->setMenu(menu);
     row->addWidget(more_);
-    connect(start_, &QPushButton::clicked, this, &ChainStrip::askToRun);
+    connect(start_, &QPushButton::clicked, this, &ChainRunRow::askToRun);
     connect(cancel_, &QPushButton::clicked, &run_, &Task::cancel);
-    connect(report_, &QAction::triggered, this, &ChainStrip::exportReport);
-    connect(dossier_, &QAction::triggered, this, &ChainStrip::exportDossier);
-    connect(folder_, &QAction::triggered, this, &ChainStrip::openFolder);
-    connect(&run_, &Task::progressed, this, &ChainStrip::showProgress);
+    connect(report_, &QAction::triggered, this, &ChainRunRow::exportReport);
+    connect(dossier_, &QAction::triggered, this, &ChainRunRow::exportDossier);
+    connect(folder_, &QAction::triggered, this, &ChainRunRow::openFolder);
+    connect(&run_, &Task::progressed, this, &ChainRunRow::showProgress);
     due_.setSingleShot(true);
     due_.setInterval(settling_ms);
-    connect(&due_, &QTimer::timeout, this, &ChainStrip::look);
-    connect(&session_, &Session::changed, this, &ChainStrip::followProject);
-    connect(&session_, &Session::filesTaken, this, &ChainStrip::lookSoon);
-    connect(&session_.watch(), &SourceWatch::changed, this, &ChainStrip::lookSoon);
+    connect(&due_, &QTimer::timeout, this, &ChainRunRow::look);
+    connect(&session_, &Session::changed, this, &ChainRunRow::followProject);
+    connect(&session_, &Session::filesTaken, this, &ChainRunRow::lookSoon);
+    connect(&session_.watch(), &SourceWatch::changed, this, &ChainRunRow::lookSoon);
     turn_.setInterval(watching_ms);
-    connect(&turn_, &QTimer::timeout, this, &ChainStrip::watchFiles);
+    connect(&turn_, &QTimer::timeout, this, &ChainRunRow::watchFiles);
     turn_.start();
     retranslate();
     lookSoon();
 }
 
-ChainStrip::~ChainStrip() = default;
+ChainRunRow::~ChainRunRow() = default;
 
-StepTile* ChainStrip::tile(const std::string& key) const
-{
-    return findChild<StepTile*>(QString::fromStdString("step_" + key));
-}
-
-void ChainStrip::look()
+void ChainRunRow::look()
 {
     if (!isVisible()) return;  // repeated in showEvent()
     try {
@@ -185,7 +174,7 @@ void ChainStrip::look()
 }
 
 /// In a separate thread, since a file system may block.
-void ChainStrip::watchFiles()
+void ChainRunRow::watchFiles()
 {
     if (!isVisible() || !looked_ || isLooking() || isRunning() || watch_.isBusy()) return;
     watch_.compute<std::string>([dossier = looked_, folder = asked_.question.out](
@@ -198,39 +187,36 @@ void ChainStrip::watchFiles()
                                 [](const Error&) {});
 }
 
-void ChainStrip::show(const std::shared_ptr<const chain::Dossier>& dossier)
+void ChainRunRow::show(const std::shared_ptr<const chain::Dossier>& dossier)
 {
     looked_ = dossier;
-    for (std::size_t i = 0; i < tiles_.size(); ++i) {
-        const StripStep& step = stripSteps()[i];
-        tiles_[i]->say(screenText(step.title), standingOf(step, *dossier));
-        tiles_[i]->setToolTip(aboutOf(step, *dossier));
-    }
     const auto waiting = stepsToRun(*dossier).size();
     start_->setText(waiting > 0 ? tr("Run %n step(s)…", "", waiting) : tr("Up to date"));
-    start_->setEnabled(waiting > 0);
+    start_->setEnabled(waiting > 0 && !isRunning());
+    start_->setToolTip(stepsToRun(*dossier).join('\n'));
+    emit lookedAgain(dossier);
     for (QAction* action : {report_, dossier_, folder_}) action->setEnabled(hasDossier_);
 }
 
-/// Opens the panel of a step with the files and parameters of the chain, in one step that can be undone. What the chain
-/// takes from panels becomes its own first, so that they no longer rule its question.
-void ChainStrip::openStep(const StripStep& step)
+void ChainRunRow::openStep(const std::string& step)
 {
-    const chain::ChainStep* const made = looked_ ? looked_->step(step.of_chain.front()) : nullptr;
+    const char* const panel = panelOf(step);
+    const chain::ChainStep* const made = looked_ ? looked_->step(step) : nullptr;
+    if (!panel) return;
     const auto state = made && made->state == chain::StepState::Done ? chain::stateOf(*made, question_.out)
                                                                      : std::optional<project::PanelState>();
     if (state) {
         session_.edit(tr("Open a step of the chain"), [&](project::Project& project) {
             chain::pinInputs(project, question_);
-            project::PanelState& panel = project.panels[step.panel];
-            panel.inputs = state->inputs;
-            panel.parameters = state->parameters;
+            project::PanelState& shown = project.panels[panel];
+            shown.inputs = state->inputs;
+            shown.parameters = state->parameters;
         });
     }
-    emit panelRequested(step.panel);
+    emit panelRequested(panel);
 }
 
-void ChainStrip::askToRun()
+void ChainRunRow::askToRun()
 {
     if (isRunning() || !looked_ || dialog_) return;
     dialog_ = new RunDialog(*looked_, asked_, this);
@@ -249,7 +235,7 @@ void ChainStrip::askToRun()
     dialog_->open();
 }
 
-void ChainStrip::run(const chain::AskedChain& unsettled)
+void ChainRunRow::run(const chain::AskedChain& unsettled)
 {
     setRunning(true);
     run_.start(
@@ -281,7 +267,7 @@ void ChainStrip::run(const chain::AskedChain& unsettled)
         });
 }
 
-void ChainStrip::reportRun(const chain::ChainQuestion& question, const chain::Dossier& dossier)
+void ChainRunRow::reportRun(const chain::ChainQuestion& question, const chain::Dossier& dossier)
 {
     if (const auto error = dossier.error()) {
         emit messageRaised({*error, chainTitle});
@@ -291,7 +277,7 @@ void ChainStrip::reportRun(const chain::ChainQuestion& question, const chain::Do
     emit messageRaised({done, chainTitle});
 }
 
-void ChainStrip::followProject()
+void ChainRunRow::followProject()
 {
     if (opened_ != session_.projectsOpened()) {
         opened_ = session_.projectsOpened();
@@ -300,7 +286,7 @@ void ChainStrip::followProject()
     lookSoon();
 }
 
-void ChainStrip::showProgress(const Worker::State& state)
+void ChainRunRow::showProgress(const Worker::State& state)
 {
     bar_->setValue(static_cast<int>(state.fraction * 1000));
     const QString phase = state.stopping ? tr("Stopping…") : screenText(state.stage);
@@ -308,14 +294,15 @@ void ChainStrip::showProgress(const Worker::State& state)
     phase_->setToolTip(phase);
 }
 
-void ChainStrip::setRunning(bool running)
+void ChainRunRow::setRunning(bool running)
 {
     bar_->setValue(0);
     phase_->clear();
-    stack_->setCurrentIndex(running ? 1 : 0);
+    running_->setVisible(running);
+    start_->setEnabled(!running && looked_ && !stepsToRun(*looked_).isEmpty());
 }
 
-void ChainStrip::exportReport()
+void ChainRunRow::exportReport()
 {
     const auto dossier = session_.stores().of<chain::ChainMemory>()->find(asked_.question.out, {});
     const QString path = QFileDialog::getSaveFileName(this, tr("Write the report of the chain"), "chain.html",
@@ -328,7 +315,7 @@ void ChainStrip::exportReport()
     }
 }
 
-void ChainStrip::exportDossier()
+void ChainRunRow::exportDossier()
 {
     const QString path =
         QFileDialog::getSaveFileName(this, tr("Write the dossier"), "dossier.json", tr("JSON (*.json)"));
@@ -341,22 +328,20 @@ void ChainStrip::exportDossier()
     }
 }
 
-void ChainStrip::openFolder()
+void ChainRunRow::openFolder()
 {
     QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(asked_.question.out)));
 }
 
-void ChainStrip::showEvent(QShowEvent* event)
+void ChainRunRow::showEvent(QShowEvent* event)
 {
-    WorkspaceStrip::showEvent(event);
+    QWidget::showEvent(event);
     lookSoon();
 }
 
-void ChainStrip::retranslate()
+void ChainRunRow::retranslate()
 {
     setAccessibleName(tr("Chain from the scan to the proof of the copy"));
-    for (std::size_t i = 0; i < tiles_.size(); ++i)
-        tiles_[i]->say(screenText(stripSteps()[i].title), tiles_[i]->standing());
     start_->setText(tr("Run the chain…"));
     start_->setToolTip(tr("Runs the steps that are not made yet or out of date, after a question"));
     cancel_->setText(tr("Cancel"));
@@ -369,9 +354,9 @@ void ChainStrip::retranslate()
     if (looked_) show(looked_);
 }
 
-void ChainStrip::changeEvent(QEvent* event)
+void ChainRunRow::changeEvent(QEvent* event)
 {
-    WorkspaceStrip::changeEvent(event);
+    QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) retranslate();
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <functional>
 
-#include "engine/project/input_key.h"
-
 namespace lathelier {
 namespace {
 
@@ -42,29 +40,6 @@ bool takesAll(const PanelFacts& facts, const std::vector<FoundFile>& files)
     return true;
 }
 
-const project::PanelState& stateOf(const PanelFacts& facts, const project::Project& project)
-{
-    static const project::PanelState nothing;
-    const auto found = project.panels.find(facts.stateKey());
-    return found == project.panels.end() ? nothing : found->second;
-}
-
-/// Whether it has an input that the kind stands beside or follows as the next part.
-bool isAtWork(const PanelFacts& facts, const project::Project& project, const io::FileKind* kind)
-{
-    return takes(facts, kind) && !stateOf(facts, project).inputs.empty();
-}
-
-bool isCompleteWith(const PanelFacts& facts, const project::Project& project, const io::FileKind* kind)
-{
-    const auto role = std::find_if(facts.roles.begin(), facts.roles.end(),
-                                   [&](const InputRole& one) { return isIn(one.kinds, kind); });
-    if (role == facts.roles.end()) return false;
-    project::PanelState state = stateOf(facts, project);
-    state.inputs[role->role] = {};
-    return (facts.missing ? facts.missing : missingOf(facts.roles))(state).empty();
-}
-
 bool hasBegun(const project::Project& project)
 {
     return std::any_of(project.panels.begin(), project.panels.end(),
@@ -82,9 +57,7 @@ std::size_t takerOf(const FoundFile& file, const std::vector<const PanelFacts*>&
     const auto home = first([&](const PanelFacts& facts) { return isIn(facts.alone, file.kind); });
     if (active && takes(*panels[*active], file.kind)) {
         const PanelFacts& facts = *panels[*active];
-        if (!home || isIn(facts.alone, file.kind) || isAtWork(facts, project, file.kind) ||
-            (hasBegun(project) && isCompleteWith(facts, project, file.kind)))
-            return *active;
+        if (!home || isIn(facts.alone, file.kind) || hasBegun(project)) return *active;
     }
     if (home) return *home;
     if (const auto one = first([&](const PanelFacts& facts) { return isIn(facts.kinds, file.kind); })) return *one;

@@ -18,12 +18,10 @@ struct Opening {
 };
 
 /// Files opened together go to one panel that takes all of them, the active one before others; each into an input of
-/// its own. One file alone goes
-/// - to the panel where its kind belongs alone (PanelFacts::alone), unless the active panel works on such files
-/// already,
-///   or would be complete with it in a project that has begun;
-/// - else to the active panel if it takes the kind, else to the first that does.
-/// Files that no panel takes together are parted. Precondition: some panel takes the kind of each.
+/// its own. One file alone goes to the active panel if that takes its kind, else to where its kind belongs alone
+/// (PanelFacts::alone), else to the first panel that takes it. A part without any file begins where the kind belongs
+/// alone: what is in front then is nobody's choice. Files that no panel takes together are parted. Precondition: some
+/// panel takes the kind of each.
 std::vector<Opening> openingsOf(const std::vector<FoundFile>& files, const std::vector<const PanelFacts*>& panels,
                                 std::optional<std::size_t> active, const project::Project& project);
 

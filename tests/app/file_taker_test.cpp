@@ -72,9 +72,9 @@ private slots:
         QCOMPARE(takers({of(cad::stepFiles())}, "compare", with("compare", {"copy"})), QStringList{"compare"});
         QCOMPARE(takers({of(io::frfFiles())}, "lobes"), QStringList{"lobes"});
         QCOMPARE(takers({of(gcode::programFiles())}, "deflection"), QStringList{"deflection"});
-        // A scan is what Cylindricity lacks, in a project that has begun.
-        QCOMPARE(takers({of(io::scanFiles())}, "cylindricity", with("roundness", {"record"})),
-                 QStringList{"cylindricity"});
+        // In front by the user's choice, where the part has files already.
+        for (const char* active : {"cylindricity", "compare"})
+            QCOMPARE(takers({of(io::scanFiles())}, active, with("roundness", {"record"})), QStringList{active});
         QCOMPARE(takers({of(io::scanFiles())}, "cylindricity"), QStringList{"recognise"});
     }
 

@@ -16,6 +16,8 @@
 #include <algorithm>
 
 #include "app/gui/data_column.h"
+#include "app/gui/file_taker.h"
+#include "app/gui/parts_box.h"
 #include "app/gui/settings_dialog.h"
 #include "app/gui/theme.h"
 #include "widgets/core/panel/primary_views.h"
@@ -56,7 +58,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
     logDock_->setWidget(log_);
     auto* column = new DataColumn(session_, panels);
     dataDock_->setObjectName("dock_data");
-    dataDock_->setWidget(column);
+    dataDock_->setWidget(underParts(session_, column));
     connect(column, &DataColumn::panelRequested, this, [this](const std::string& id) {
         for (PanelDock* dock : docks_)
             if (dock->facts().id == id) return showPanel(dock);
@@ -134,32 +136,30 @@ void MainWindow::openPaths(const QStringList& paths)
             others << path;
     }
     if (others.isEmpty()) return;
-    finder_.find(others, [this](const std::vector<FoundFile>& files) {
-        PanelDock* dock = dockFor(files);
-        if (!dock) return;
-        showPanel(dock);  // not the active one: a restored layout has a tab of its own in front
-        dock->panel().openFound(files);
-    });
+    finder_.find(others, [this](const std::vector<FoundFile>& files) { openFound(files); });
 }
 
-/// The panel that works on all the files whose kind is certain or likely, else on the first of them: the active panel
-/// if it does, which also takes what nobody is known to work on.
-PanelDock* MainWindow::dockFor(const std::vector<FoundFile>& files) const
+/// The panel of the first file comes to the front. Files of no panel's kind are refused.
+void MainWindow::openFound(const std::vector<FoundFile>& files)
 {
-    const auto takes = [](const PanelDock* dock, const FoundFile& file) {
-        const io::FileKinds& kinds = dock->facts().kinds;
-        return file.likeness < io::Likeness::Likely || std::find(kinds.begin(), kinds.end(), file.kind) != kinds.end();
-    };
-    const auto takesAll = [&](const PanelDock* dock) {
-        return std::all_of(files.begin(), files.end(), [&](const FoundFile& file) { return takes(dock, file); });
-    };
-    const auto takesFirst = [&](const PanelDock* dock) { return takes(dock, files.front()); };
-    PanelDock* const active = activeDock();
-    if (active && takesAll(active)) return active;
-    if (const auto all = std::find_if(docks_.begin(), docks_.end(), takesAll); all != docks_.end()) return *all;
-    if (active && takesFirst(active)) return active;
-    const auto first = std::find_if(docks_.begin(), docks_.end(), takesFirst);
-    return first == docks_.end() ? active : *first;
+    std::vector<const PanelFacts*> panels;
+    io::FileKinds kinds;
+    std::optional<std::size_t> active;
+    for (PanelDock* dock : docks_) {
+        if (dock == activeDock()) active = panels.size();
+        panels.push_back(&dock->facts());
+        io::unite(kinds, dock->facts().kinds);
+    }
+    std::vector<FoundFile> taken;
+    for (const FoundFile& file : files) {
+        if (const auto refusal = refusalOf(file, kinds))
+            announce({*refusal, {}});
+        else
+            taken.push_back(file);
+    }
+    const std::vector<Opening> openings = openingsOf(taken, panels, active, session_.project());
+    for (const Opening& opening : openings) docks_[opening.panel]->panel().openFound(opening.files);
+    if (!openings.empty()) showPanel(docks_[openings.front().panel]);
 }
 
 void MainWindow::askForFiles()

@@ -33,8 +33,8 @@ public:
                const QString& recoveryFolder = {});
     ~MainWindow() override;
 
-    /// A project is opened at once; other files go to the panel that works on their kind, else to the active one, as
-    /// soon as their heads were looked at in the background.
+    /// A project is opened at once; other files go to the panel that takes all of them (file_taker.h), as soon as their
+    /// heads were looked at in the background.
     void openPaths(const QStringList& paths);
     bool isOpening() const { return finder_.isBusy(); }  ///< files are still being looked at
 
@@ -81,7 +81,7 @@ private:
     void updateUndo();
     void fillRecent();
     void askForFiles();
-    PanelDock* dockFor(const std::vector<FoundFile>& files) const;
+    void openFound(const std::vector<FoundFile>& files);
     void useItem(const std::string& name, const project::Item& item, bool synthetic);
     void showPanel(PanelDock* dock);
     void askForSettings();

@@ -35,6 +35,10 @@ void MainWindow::panelMade(PanelDock* dock, PanelBase* panel)
 {
     panel->setPresenting(presenting_);
     connect(panel, &PanelBase::messageRaised, this, &MainWindow::announce);
+    connect(panel, &PanelBase::filesDropped, this, [this, dock](const QStringList& paths) {
+        lastActive_[layouts_->question()] = dock;
+        openPaths(paths);
+    });
     connect(panel, &PanelBase::sampleRequested, this, [this] {
         const std::string here = layouts_->question();
         files_.openSample();

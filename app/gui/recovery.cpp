@@ -6,6 +6,7 @@
 #include <QUuid>
 
 #include "engine/io/file.h"
+#include "engine/project/parts.h"
 
 namespace lathelier {
 namespace {
@@ -70,9 +71,11 @@ QStringList filesOf(const QString& project)
 {
     QStringList names;
     try {
-        for (const auto& [id, panel] : project::readProject(project.toStdString()).project.panels)
-            for (const auto& [role, source] : panel.inputs)
-                if (!source.path.empty()) names << QFileInfo(QString::fromStdString(source.path)).fileName();
+        const project::ProjectFile file = project::readProject(project.toStdString());
+        for (const project::Part* part : project::partsOf(file.project))
+            for (const auto& [id, panel] : part->panels)
+                for (const auto& [role, source] : panel.inputs)
+                    if (!source.path.empty()) names << QFileInfo(QString::fromStdString(source.path)).fileName();
     } catch (const Error&) {
         return {};
     }

@@ -52,7 +52,9 @@ const std::vector<MigrationStep>& migrationSteps()
                                                   [](Json& json) { json["views"] = Json::object(); },
                                                   [](Json& json) { json["title_block"] = Json::object(); },
                                                   // Former keys of tools are read by their description.
-                                                  [](Json&) {}, namesOfTasks};
+                                                  [](Json&) {}, namesOfTasks,
+                                                  // One part is read from the top (project_json.cpp).
+                                                  [](Json&) {}};
     return steps;
 }
 

@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "engine/core/json.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
+#include "engine/project/parts.h"
 #include "engine/project/project_codes.h"
 #include "engine/project/project_json.h"
 
@@ -20,6 +22,22 @@ constexpr std::size_t largestProject = std::size_t{64} << 20;  ///< bytes; a pro
 fs::path folderOf(const std::string& path)
 {
     return fs::absolute(path).lexically_normal().parent_path();
+}
+
+/// Note sourceChanged or sourceMissing; none: as it was, or not comparable.
+std::optional<Note> changeOf(const Source& source, const Progress& progress)
+{
+    const Note missing{notes::sourceMissing, {{"path", source.path}}};
+    // Only regular files are opened: a pipe would block.
+    std::error_code unknown;
+    if (!fs::is_regular_file(source.path, unknown)) return missing;
+    if (source.sha256.empty() || fs::file_size(source.path, unknown) > io::largestFile_bytes()) return std::nullopt;
+    try {
+        if (io::fileSha256(source.path, progress) == source.sha256) return std::nullopt;
+        return Note{notes::sourceChanged, {{"path", source.path}}};
+    } catch (const Error&) {  // missing, locked or being written: reported when it is opened
+        return missing;
+    }
 }
 
 }  // namespace
@@ -87,24 +105,13 @@ Notes checkSources(const Project& project, const Progress& progress)
 {
     Notes notes;
     std::set<std::string> done;
-    for (const auto& [id, panel] : project.panels)
-        for (const auto& [role, source] : panel.inputs) {
-            progress.check();
-            if (source.path.empty() || !done.insert(source.path + "\n" + source.sha256).second) continue;
-            // Only regular files are opened: a pipe would block.
-            std::error_code unknown;
-            if (!fs::is_regular_file(source.path, unknown)) {
-                notes.push_back({notes::sourceMissing, {{"path", source.path}}});
-                continue;
+    for (const Part* part : partsOf(project))
+        for (const auto& [id, panel] : part->panels)
+            for (const auto& [role, source] : panel.inputs) {
+                progress.check();
+                if (source.path.empty() || !done.insert(source.path + "\n" + source.sha256).second) continue;
+                if (const auto note = changeOf(source, progress)) notes.push_back(*note);
             }
-            if (source.sha256.empty() || fs::file_size(source.path, unknown) > io::largestFile_bytes()) continue;
-            try {
-                if (io::fileSha256(source.path, progress) != source.sha256)
-                    notes.push_back({notes::sourceChanged, {{"path", source.path}}});
-            } catch (const Error&) {  // missing, locked or being written: reported when it is opened
-                notes.push_back({notes::sourceMissing, {{"path", source.path}}});
-            }
-        }
     return notes;
 }
 

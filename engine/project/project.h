@@ -1,6 +1,7 @@
-// The project as a value: which files, which parameters, which results are in the report. Panels by id.
+// The project as a value: which parts, files and parameters, which results are in the report. Panels by id.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -46,15 +47,25 @@ struct PanelState {
     friend bool operator==(const PanelState&, const PanelState&) = default;
 };
 
-struct Project {
-    std::string title;                         ///< title of the project; may be empty
-    std::string workspace = "scan";            ///< id of the question that is shown
+/// What the project knows of one part: its files, the questions asked about it, what was made of it.
+struct Part {
+    std::string name;                          ///< of the part; may be empty
     std::map<std::string, PanelState> panels;  ///< by panel id: "compare"
     std::vector<std::string> report;           ///< ids of the panels in the report, in order
     std::map<std::string, Item> items;         ///< items by name
     Values title_block;                        ///< of its reports, by key (report::TitleBlock)
-    bool recipe = false;                       ///< opened, it begins a new project (recipe.h)
-    std::map<std::string, Values> views;       ///< by panel id: view settings by panel id; without effect on results
+    std::map<std::string, Values> views;       ///< by panel id: view settings; without effect on results
+    friend bool operator==(const Part&, const Part&) = default;
+};
+
+/// One part is shown: the project itself. The others wait in a list (parts.h).
+struct Project : Part {
+    std::string title;                     ///< title of the project; may be empty
+    std::string workspace = "scan";  ///< id of the question that is shown
+    bool recipe = false;                   ///< opened, it begins a new project (recipe.h)
+    Values shop;                           ///< choice of machine, tools, material by key; empty: that of the settings
+    std::vector<Part> others;              ///< the parts that are not shown, in order
+    std::size_t place = 0;                 ///< of the shown part in the list of all: at most others.size()
     friend bool operator==(const Project&, const Project&) = default;
 };
 
@@ -73,7 +84,7 @@ bool isOutdated(const Project& project, const Item& item);
 
 /// Reads a project file (JSON, see project_json.h). Older format versions are migrated, newer ones refused. Source
 /// paths come out absolute; the sources themselves are not opened. Errors: those of FileBytes, fileEmpty, malformed
-/// (line, column; also more than 1000 panels or items, 1000 inputs of a panel or a list of more than 10 000),
+/// (line, column; also more than 1000 parts, panels or items, 1000 inputs of a panel or a list of more than 10 000),
 /// versionTooNew.
 struct ProjectFile {
     Project project;     ///< as read, migrated to this version
@@ -81,9 +92,9 @@ struct ProjectFile {
 };
 ProjectFile readProject(const std::string& path);
 
-/// Changes of the sources since the project was saved: sourceChanged where the content no longer has the stored
-/// SHA-256, sourceMissing where there is no file. Files too large to be read are left out. Reads all of them: not for
-/// the GUI thread. Throws Cancelled.
+/// Changes of the sources of all parts since the project was saved: sourceChanged where the content no longer has the
+/// stored SHA-256, sourceMissing where there is no file. Files too large to be read are left out. Reads all of them:
+/// not for the GUI thread. Throws Cancelled.
 Notes checkSources(const Project& project, const Progress& progress = {});
 
 /// Writes a temporary file and renames it: on failure the old file is unchanged. Returns the SHA-256 of the file. Error

@@ -5,6 +5,7 @@
 
 #include "engine/io/json/json_document.h"
 #include "engine/project/migration.h"
+#include "engine/project/parts.h"
 #include "engine/project/project_codes.h"
 
 namespace lathelier::project {
@@ -13,6 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* formatName = "lathelier-project";
+
+// Files of former versions hold one part, whose members stand at the top. They are read there, so that errors name
+// their place.
+constexpr int firstWithParts = 7;
 
 // Ten times more than any known project: beyond, the file is damaged or malicious.
 constexpr std::size_t mostPanels = 1000;
@@ -107,36 +112,79 @@ Item parseItem(const io::JsonCursor& cursor)
     return item;
 }
 
-Project parseBody(const io::JsonCursor& cursor, const fs::path& folder)
+/// Reads a member of a part; false: it has no such member.
+bool takeMember(Part& part, const std::string& key, const io::JsonCursor& member, const fs::path& folder)
+{
+    if (key == "panels")
+        member.members(mostPanels, [&](const std::string& id, const io::JsonCursor& panel) {
+            part.panels[id] = parsePanel(panel, folder);
+        });
+    else if (key == "items")
+        member.members(mostPanels, [&](const std::string& name, const io::JsonCursor& item) {
+            part.items[name] = parseItem(item);
+        });
+    else if (key == "views")
+        member.members(mostPanels,
+                       [&](const std::string& id, const io::JsonCursor& view) { part.views[id] = view.values(); });
+    else if (key == "title_block")
+        part.title_block = member.values();
+    else if (key == "report")
+        member.items(mostPanels, [&](const io::JsonCursor& id) { part.report.push_back(id.string()); });
+    else
+        return false;
+    return true;
+}
+
+Part parsePart(const io::JsonCursor& cursor, const fs::path& folder)
+{
+    Part part;
+    cursor.members(mostParameters, [&](const std::string& key, const io::JsonCursor& member) {
+        if (key == "name")
+            part.name = member.string();
+        else if (!takeMember(part, key, member, folder))
+            member.reject(oneOf("name | panels | items | views | title_block | report"));
+    });
+    return part;
+}
+
+std::size_t parseShown(const io::JsonCursor& cursor, std::size_t count)
+{
+    const std::int64_t shown = cursor.integer();
+    if (shown < 0 || static_cast<std::size_t>(shown) >= std::max<std::size_t>(count, 1))
+        cursor.reject(LT_TEXT("Engine", "the number of a part, counted from 0"));
+    return static_cast<std::size_t>(shown);
+}
+
+Project parseBody(const io::JsonCursor& cursor, const fs::path& folder, bool is_one_part)
 {
     Project project;
+    std::vector<Part> parts;
     cursor.members(mostParameters, [&](const std::string& key, const io::JsonCursor& member) {
         if (key == "title")
             project.title = member.string();
         else if (key == "workspace")
             project.workspace = member.string();
-        else if (key == "panels")
-            member.members(mostPanels, [&](const std::string& id, const io::JsonCursor& panel) {
-                project.panels[id] = parsePanel(panel, folder);
-            });
-        else if (key == "items")
-            member.members(mostPanels, [&](const std::string& name, const io::JsonCursor& item) {
-                project.items[name] = parseItem(item);
-            });
-        else if (key == "views")
-            member.members(mostPanels, [&](const std::string& id, const io::JsonCursor& view) {
-                project.views[id] = view.values();
-            });
         else if (key == "recipe")
             project.recipe = member.flag();
-        else if (key == "title_block")
-            project.title_block = member.values();
-        else if (key == "report")
-            member.items(mostPanels, [&](const io::JsonCursor& id) { project.report.push_back(id.string()); });
-        else if (key != "format" && key != "version")
-            member.reject(
-                oneOf("format | version | title | workspace | panels | items | views | title_block | recipe | report"));
+        else if (is_one_part && takeMember(project, key, member, folder))
+            return;
+        else if (!is_one_part && key == "parts")
+            member.items(mostParts, [&](const io::JsonCursor& part) { parts.push_back(parsePart(part, folder)); });
+        else if (!is_one_part && key == "shop")
+            project.shop = member.values();
+        else if (key != "format" && key != "version" && (is_one_part || key != "shown"))
+            member.reject(oneOf(
+                is_one_part ? "format | version | title | workspace | panels | items | views | title_block | recipe | "
+                              "report"
+                            : "format | version | title | workspace | parts | shown | shop | recipe"));
     });
+    if (is_one_part) return project;
+    const auto shown = cursor.member("shown");
+    project.place = shown ? parseShown(*shown, parts.size()) : 0;
+    if (parts.empty()) return project;
+    static_cast<Part&>(project) = std::move(parts[project.place]);
+    parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(project.place));
+    project.others = std::move(parts);
     return project;
 }
 
@@ -183,6 +231,25 @@ Json itemJson(const Item& item)
               {"inputs", item.origin.inputs}}}};
 }
 
+Json partJson(const Part& part, const fs::path& folder)
+{
+    Json json{{"name", part.name}};
+    json["panels"] = Json::object();
+    for (const auto& [id, panel] : part.panels) {
+        Json& state = json["panels"][id] = Json::object();
+        state["inputs"] = Json::object();
+        for (const auto& [role, source] : panel.inputs) state["inputs"][role] = sourceJson(source, folder);
+        state["parameters"] = toJson(panel.parameters);
+    }
+    json["items"] = Json::object();
+    for (const auto& [name, item] : part.items) json["items"][name] = itemJson(item);
+    json["views"] = Json::object();
+    for (const auto& [id, view] : part.views) json["views"][id] = toJson(view);
+    json["title_block"] = toJson(part.title_block);
+    json["report"] = part.report;
+    return json;
+}
+
 }  // namespace
 
 Project parseProject(std::string_view text, const fs::path& folder)
@@ -190,29 +257,16 @@ Project parseProject(std::string_view text, const fs::path& folder)
     io::JsonDocument document{std::string(text)};
     const int version = readVersion(document.root());
     migrate(document.json(), version, migrationSteps());
-    return parseBody(document.root(), folder);
+    return parseBody(document.root(), folder, version < firstWithParts);
 }
 
 std::string toJsonText(const Project& project, const fs::path& folder)
 {
-    Json json{{"format", formatName},
-              {"version", projectVersion},
-              {"title", project.title},
-              {"workspace", project.workspace}};
-    json["panels"] = Json::object();
-    for (const auto& [id, panel] : project.panels) {
-        Json& state = json["panels"][id] = Json::object();
-        state["inputs"] = Json::object();
-        for (const auto& [role, source] : panel.inputs) state["inputs"][role] = sourceJson(source, folder);
-        state["parameters"] = toJson(panel.parameters);
-    }
-    json["items"] = Json::object();
-    for (const auto& [name, item] : project.items) json["items"][name] = itemJson(item);
-    json["views"] = Json::object();
-    for (const auto& [id, view] : project.views) json["views"][id] = toJson(view);
-    json["title_block"] = toJson(project.title_block);
+    Json json{{"format", formatName},           {"version", projectVersion}, {"title", project.title},
+              {"workspace", project.workspace}, {"shown", project.place},    {"shop", toJson(project.shop)},
+              {"parts", Json::array()}};
+    for (const Part* part : partsOf(project)) json["parts"].push_back(partJson(*part, folder));
     if (project.recipe) json["recipe"] = true;
-    json["report"] = project.report;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,8 +1,10 @@
-// A project as JSON text. Format version 5:
-//   {"format": "lathelier-project", "version": 5, "title", "workspace",
-//    "panels": {id: {"inputs": {role: {"path" | "item", "import": {…}, "sha256", "synthetic"}}, "parameters": {…}}},
-//    "items": {name: {"kind", "values": {…}, "origin": {…}}}, "views": {id: {…}}, "title_block": {…}, "recipe": true,
-//    "report": [id…]}
+// A project as JSON text. Format version 7:
+//   {"format": "lathelier-project", "version": 7, "title", "workspace", "recipe": true, "shop": {…}, "shown": 0,
+//    "parts": [{"name", "panels": {id: {"inputs": {role: {"path" | "item", "import": {…}, "sha256", "synthetic"}},
+//                                       "parameters": {…}}},
+//               "items": {name: {"kind", "values": {…}, "origin": {…}}}, "views": {id: {…}}, "title_block": {…},
+//               "report": [id…]}]}
+// "shown" counts from 0. Up to version 6 the members of the one part stand at the top.
 // Everything but format and version may be missing. A key that is not known is refused, so that a misspelt key in a
 // hand-written file is found; names inside "import" and "parameters" belong to the panels and are kept.
 #pragma once

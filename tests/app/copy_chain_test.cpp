@@ -58,6 +58,7 @@ class CopyChainTest : public QObject, private WindowFixture {
         QStringList paths;
         for (const QString& name : names) paths << folder_.filePath(name);
         drop(&dock("chain")->panel(), paths);
+        QTRY_VERIFY(!window_->isOpening());
         QTRY_VERIFY_WITH_TIMEOUT(!session_->panel("chain").inputs.empty() && !panel().isBusy(), 60000);
         settle();
     }

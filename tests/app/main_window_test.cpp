@@ -19,6 +19,7 @@
 #include "app/gui/questions.h"
 #include "app/gui/settings_dialog.h"
 #include "tests/app/window_fixture.h"
+#include "tests/widgets/core/drop_files.h"
 
 namespace lathelier {
 
@@ -121,8 +122,32 @@ private slots:
         QCOMPARE(window_->activeDock(), dock("round"));
         QTRY_VERIFY(dock("round")->panel().isCurrent());
         window_->enterQuestion("copy");
-        openFiles({makeFile("a.txt")});  // nobody's: to the panel in front
+        openFiles({makeFile("a.txt")});  // of several: to the panel in front
         QCOMPARE(session_->project().workspace, std::string("copy"));
+    }
+
+    void aFileOfNobodysKindIsRefused()
+    {
+        openFiles({makeFile("a.txt")});
+        QTRY_VERIFY(window_->activeDock()->panel().isCurrent());
+        const project::Project before = session_->project();
+        openFiles({makeFile("a.odd")});
+        openFiles({folder_.filePath("none.txt")});
+        QCOMPARE(session_->project(), before);
+        QVERIFY(window_->activeDock()->panel().isCurrent());
+        auto* log = window_->findChild<QDockWidget*>("dock_messages");
+        QVERIFY(log->isVisible());
+        QVERIFY2(window_->messages().plainText().contains("a.odd"), qPrintable(window_->messages().text()));
+        QVERIFY(window_->messages().plainText().contains("does not exist"));
+    }
+
+    void aFileDroppedOnAPanelGoesWhereItBelongs()
+    {
+        PanelDock* const here = window_->activeDock();
+        drop(&here->panel(), {makeFile("a.record")});
+        QTRY_VERIFY(!window_->isOpening());
+        QCOMPARE(window_->activeDock(), dock("records"));
+        QVERIFY(session_->panel(here->facts().id).inputs.empty());
     }
 
     /// After a session that left another tab of the question in front, files named at the start come before the

@@ -47,7 +47,9 @@ protected:
         PanelFacts records = FakePanel::factsOf("records", "roundness");
         round.kinds = {&kindNamed("profile")};
         records.kinds = {&kindNamed("record")};
-        return {FakePanel::factsOf("one"), FakePanel::factsOf("two"), round, records};
+        PanelFacts one = FakePanel::factsOf("one"), two = FakePanel::factsOf("two");
+        one.kinds = two.kinds = {&kindNamed("txt")};
+        return {one, two, round, records};
     }
     PanelDock* dock(const std::string& id) const
     {

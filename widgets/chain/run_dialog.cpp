@@ -72,6 +72,7 @@ RunDialog::RunDialog(const chain::Dossier& looked, const chain::AskedChain& aske
     auto* label = new QLabel(tr("&Folder of the chain:"));
     label->setBuddy(folder_);
     auto* choose = new QPushButton(tr("Choose…"));
+    choose->setAutoDefault(false);  // Enter runs
     auto* row = new QHBoxLayout;
     row->addWidget(label);
     row->addWidget(folder_, 1);

@@ -4,7 +4,27 @@
 #include <QUndoCommand>
 #include <utility>
 
+#include "engine/project/parts.h"
+
 namespace lathelier {
+namespace {
+
+/// Takes over what each part shows: by its place, or by its name where a part came or went.
+void keepViews(const project::Project& from, project::Project& into)
+{
+    const std::vector<const project::Part*> former = project::partsOf(from);
+    const std::vector<project::Part*> present = project::partsOf(into);
+    for (std::size_t i = 0; i < present.size(); ++i) {
+        if (former.size() == present.size()) {
+            present[i]->views = former[i]->views;
+            continue;
+        }
+        for (const project::Part* part : former)
+            if (part->name == present[i]->name) present[i]->views = part->views;
+    }
+}
+
+}  // namespace
 
 /// One step: the project before and after. Snapshots are cheap, since large data are not in the project.
 class Session::Edit : public QUndoCommand {
@@ -18,7 +38,11 @@ public:
     {
     }
 
-    void undo() override { session_.assign(before_); }
+    void undo() override
+    {
+        setObsolete(session_.withdrawing_);
+        session_.assign(before_);
+    }
     void redo() override { session_.assign(after_); }
     int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
 
@@ -55,7 +79,19 @@ void Session::edit(const QString& text, const std::function<void(project::Projec
 {
     project::Project after = project_;
     change(after);
-    if (after != project_) undo_.push(new Edit(*this, text, project_, std::move(after), mergeKey));
+    if (after == project_) return;
+    // One drag ends where another part is shown.
+    const QString key = mergeKey.isEmpty() ? mergeKey : mergeKey + "/" + QString::number(opened_);
+    undo_.push(new Edit(*this, text, project_, std::move(after), key));
+}
+
+bool Session::withdraw(int index)
+{
+    if (index <= 0 || undo_.index() != index || undo_.count() != index) return false;
+    withdrawing_ = true;
+    undo_.undo();
+    withdrawing_ = false;
+    return true;
 }
 
 void Session::setWorkspace(const std::string& id)
@@ -63,6 +99,16 @@ void Session::setWorkspace(const std::string& id)
     if (project_.workspace == id) return;
     project_.workspace = id;
     emit workspaceChanged();
+}
+
+void Session::showPart(std::size_t index)
+{
+    if (index == project_.place || index > project_.others.size()) return;
+    collectViews();
+    project::showPart(project_, index);
+    ++opened_;
+    walk_.reset();
+    emit changed();
 }
 
 void Session::setView(const std::string& id, const std::string& key, const Value& value)
@@ -79,12 +125,14 @@ Value Session::view(const std::string& id, const std::string& key) const
 
 void Session::assign(const project::Project& project)
 {
+    const bool otherPart = project.place != project_.place || project.others.size() != project_.others.size();
+    if (otherPart) collectViews();
     // Neither is part of an undo step.
-    const std::string workspace = std::move(project_.workspace);
-    const std::map<std::string, Values> views = std::move(project_.views);
-    project_ = project;
-    project_.workspace = workspace;
-    project_.views = views;
+    project::Project next = project;
+    next.workspace = project_.workspace;
+    keepViews(project_, next);
+    project_ = std::move(next);
+    if (otherPart) ++opened_;
     walk_.reset();
     emit changed();
 }
@@ -196,9 +244,10 @@ std::shared_ptr<const walk::Walk> Session::walk() const
 project::Project Session::forDisk() const
 {
     project::Project project = project_;
-    for (auto& [id, panel] : project.panels)
-        for (auto& [role, source] : panel.inputs)
-            if (const auto digest = stores_->digest(source)) source.sha256 = *digest;
+    for (project::Part* part : project::partsOf(project))
+        for (auto& [id, panel] : part->panels)
+            for (auto& [role, source] : panel.inputs)
+                if (const auto digest = stores_->digest(source)) source.sha256 = *digest;
     return project;
 }
 

@@ -29,6 +29,10 @@ public:
     /// same non-empty `mergeKey` are one step (a slider while it is dragged). A change that changes nothing is no step.
     void edit(const QString& text, const std::function<void(project::Project&)>& change, const QString& mergeKey = {});
 
+    /// Takes back the step after which undoStack().index() was `index`, as if it had not been made: it cannot be
+    /// redone. False when it is not the last one any more.
+    bool withdraw(int index);
+
     /// Parameters of new evaluations by key that replace the defaults: the user's settings.
     void setStartingValues(const Values& values) { starting_ = values; }
     const Values& startingValues() const { return starting_; }
@@ -36,13 +40,17 @@ public:
     /// Which workspace is open is kept with the project, but switching it is no undo step and no modification.
     void setWorkspace(const std::string& id);
 
+    /// Shows another part of the project; likewise no undo step and no modification. An undo step carries the whole
+    /// project: undoing one shows the part that it was made in, and changes no other.
+    void showPart(std::size_t index);
+
     /// What panel `id` shows and how, kept with the project: no undo step, no modification, nothing is computed.
     void setView(const std::string& id, const std::string& key, const Value& value);
     Value view(const std::string& id, const std::string& key) const;  ///< none when nothing was saved
 
     /// Collects the view settings of all panels before saving (viewsRequested()).
     void collectViews() { emit viewsRequested(); }
-    int projectsOpened() const { return opened_; }  ///< incremented with each opened project
+    int projectsOpened() const { return opened_; }  ///< incremented with each opened project and each shown part
 
     /// The undo text of a step is that of edit(); its text() contains the locale of that time.
     QUndoStack& undoStack() { return undo_; }
@@ -112,7 +120,8 @@ private:
     Values starting_;
     QString path_;
     std::string sha256_;  ///< digest of the project file as opened or saved here
-    int opened_ = 0;
+    bool withdrawing_ = false;
+    int opened_ = 0;  ///< opened projects and shown parts
     QUndoStack undo_;
     std::shared_ptr<Stores> stores_;
     std::vector<walk::Place> places_;

@@ -33,6 +33,8 @@ PanelInputs panelInputs()
         if (info.key != task::segmentsOfKey && info.key != cad::boresOfKey && info.key != "check" &&
             info.key != "undated")
             inputs.fields.push_back(info);
+    foldAllBut(inputs, {task::segmentsKey, cad::boresKey, "name", "library_material", "general_tolerances", "sheet",
+                        "lengths"});
     inputs.roles.front().takes_next = true;
     return inputs;
 }
@@ -52,6 +54,7 @@ PanelFacts drawingPanelFacts()
 {
     PanelFacts facts = factsOf(cad::drawTask(), "drawing", "drawing", roles, {});
     facts.part_inputs = roles;
+    facts.alone = facts.kinds;
     facts.has_work = [](const project::PanelState& state) { return task::hasShaft(state, cad::shaftRole); };
     facts.answer = answeredBy(checkAndDraw);
     facts.make = [](Session& session) -> PanelBase* { return new DrawingPanel(session); };

@@ -27,11 +27,12 @@ PanelInputs panelInputs()
 {
     PanelInputs inputs = inputsOf(
         stability::lobesTask(), roles,
-        {stability::modeKey, "cutting_coefficient_N_mm2", "relation", "speed_rpm", stability::operatingSpeedKey,
-         stability::operatingDepthKey, "diameter_mm", "range_m_min", "rule"},
+        {stability::modeKey, "cutting_coefficient_N_mm2", "speed_rpm", stability::operatingSpeedKey,
+         stability::operatingDepthKey, "diameter_mm", "range_m_min"},
         true, LT_TEXT("Engine", "Drop a frequency response here, or state the modes of the point that is cut."),
         fieldsOfOthers());
     inputs.roles.front().takes_next = true;
+    inputs.tables = {{stability::modeKey, stability::frfRole}};
     return inputs;
 }
 

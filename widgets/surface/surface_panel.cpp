@@ -51,7 +51,8 @@ PanelInputs panelInputs()
     for (const std::string& key : shownFields)
         for (const FieldInfo& info : task.fields)
             if (info.key == key) inputs.fields.push_back(info);
-    for (FieldInfo& info : inputs.fields) info.advanced = info.advanced || info.key == "roi";
+    foldAllBut(inputs, {"feed_mm_rev", "diameter_mm", surface::speedBeforeKey, surface::speedAfterKey, "mm_per_px",
+                        "taken_alike", surface::makeKey});
     inputs.defaults = task.defaults;
     for (const auto& [key, value] : beginning()) lathelier::set(inputs.defaults, key, value);
     inputs.invitation = LT_TEXT("Engine",

@@ -37,6 +37,8 @@ PanelInputs panelInputs()
     const auto& hidden = {cam::jobOfKey, cam::skippedKey, cam::orderKey, cam::draftsKey};
     for (FieldInfo& info : infos<cam::TurningQuestion>())
         if (std::find(hidden.begin(), hidden.end(), info.key) == hidden.end()) inputs.fields.push_back(std::move(info));
+    foldAllBut(inputs, {"post", "setups", "stock.diameter_mm", "setup.chuck_face_z_mm", "setup.tailstock",
+                        cam::toolsKey, "cutting.material"});
     for (InputRole& role : inputs.roles) {
         role.required = false;  // either may hold the part: missingInputs()
         role.takes_next = role.role == cam::partRole;

@@ -46,6 +46,23 @@ TEST(ProjectVersions, TheSixthHasTheKeysOfTheCommandLine)
     EXPECT_EQ(*find(present.panels.at("speed").parameters, "range_m_min"), Value(std::vector<Interval>{{120, 400}}));
 }
 
+TEST(ProjectVersions, TheSeventhHasPartsAndAShop)
+{
+    const project::Project project = project::readProject(keptProject(7)).project;
+    EXPECT_EQ(project.place, 1U);
+    EXPECT_EQ(project.name, "Journal");
+    ASSERT_EQ(project.others.size(), 1U);
+    EXPECT_EQ(project.others[0].name, "Pin 12");
+    EXPECT_EQ(project.others[0].panels.count("recognise"), 1U);
+    EXPECT_EQ(*find(project.shop, "machine"), Value(std::string("lathe_small")));
+    const project::Project former = project::readProject(keptProject(6)).project;
+    EXPECT_TRUE(former.others.empty());
+    EXPECT_EQ(former.panels, project.panels);
+    EXPECT_EQ(former.items, project.items);
+    EXPECT_EQ(former.views, project.views);
+    EXPECT_EQ(former.title_block, project.title_block);
+}
+
 TEST(ProjectItems, AreReadByTheirDescription)
 {
     const project::Project project = project::readProject(keptProject(2)).project;

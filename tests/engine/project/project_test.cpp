@@ -46,6 +46,16 @@ project::Project sampleProject(const fs::path& folder)
                         {"max_distance_mm", Value()}, {"exclude_z_mm", std::vector<Interval>{{1, 2}, {3, 4.5}}},
                         {"method", "auto"},           {"of_another_version", true}};
     project.report = {"compare"};
+    project.name = "Wał";
+    project.shop = {{"machine", "small"}, {"overhang_mm", 0.1}};
+    project.others.resize(2);
+    project.others[0].name = "Pin";
+    project.others[0].panels["roundness"].inputs["record"] = {(folder / "data/pin.csv").string(), {}, "", false};
+    project.others[0].title_block = {{"serial", "17"}};
+    project.others[1].items["bar"] = {"shaft", {{"bore_mm", 1.0 / 3}}, {"shaft", "1", "ab", {"cd"}}};
+    project.others[1].views["compare"] = {{"hero", "map"}};
+    project.others[1].report = {"shaft"};
+    project.place = 1;
     return project;
 }
 
@@ -63,7 +73,9 @@ TEST_F(ProjectFiles, PathsAreRelativeOnDiskAndFollowTheFolder)
     project::writeProject(path, sampleProject(folder));
     const Json json = Json::parse(std::ifstream(path));
     EXPECT_EQ(json["version"], project::projectVersion);
-    const Json& inputs = json["panels"]["compare"]["inputs"];
+    const Json& inputs = json["parts"][1]["panels"]["compare"]["inputs"];
+    EXPECT_EQ(json["parts"][0]["panels"]["roundness"]["inputs"]["record"]["path"], "data/pin.csv");
+    EXPECT_EQ(json["shown"], 1);
     EXPECT_EQ(inputs["reference"]["path"], "data/original.ply");
     EXPECT_EQ(inputs["copy"]["path"], "../elsewhere/copy.ply");
 
@@ -79,10 +91,11 @@ TEST_F(ProjectFiles, SaysWhichSourcesChangedOrAreMissing)
     project::writeProject(path, sampleProject(folder));
     write("data/original.ply", "abc");
     Notes notes = project::checkSources(project::readProject(path).project);
-    ASSERT_EQ(notes.size(), 1u);
+    ASSERT_EQ(notes.size(), 2u);
     EXPECT_EQ(notes[0].code, notes::sourceMissing);
-    EXPECT_EQ(std::get<std::string>(*find(notes[0].values, "path")),
-              (folder.parent_path() / "elsewhere/copy.ply").string());
+    EXPECT_EQ(*find(notes[0].values, "path"), Value((folder / "data/pin.csv").string()));  // of a part not shown
+    EXPECT_EQ(notes[1].code, notes::sourceMissing);
+    EXPECT_EQ(*find(notes[1].values, "path"), Value((folder.parent_path() / "elsewhere/copy.ply").string()));
 
     write("data/original.ply", "abcd");
     notes = project::checkSources(project::readProject(path).project);
@@ -133,6 +146,7 @@ std::string manyRanges(int count)
 TEST(ProjectText, HostileTextIsRefusedWithItsPlace)
 {
     const std::string head = "{\"format\": \"lathelier-project\", \"version\": 1,\n";
+    const std::string present = "{\"format\": \"lathelier-project\", \"version\": 7,\n";
     const Wrong cases[] = {
         {"{", errors::malformed, 1, 2},
         {"not json", errors::malformed, 1, 2},
@@ -153,6 +167,15 @@ TEST(ProjectText, HostileTextIsRefusedWithItsPlace)
         {head + "\"panels\": {\"compare\": {\"inputs\": {" + manyMembers(1001) + "}}}}", errors::malformed, 2, 34},
         {head + "\"panels\": {\"compare\": {\"parameters\": {\"x\": [" + manyRanges(10001) + "]}}}}", errors::malformed,
          2, 44},
+        {present + "\"panels\": {}}", errors::malformed, 2, 11},
+        {present + "\"parts\": {}}", errors::malformed, 2, 10},
+        {present + "\"parts\": [" + manyRanges(1001) + "]}", errors::malformed, 2, 10},
+        {present + "\"parts\": [{}, {\"panels\": {" + manyMembers(1001) + "}}]}", errors::malformed, 2, 26},
+        {present + "\"parts\": [{\"nmae\": \"\"}]}", errors::malformed, 2, 20},
+        {present + "\"parts\": [{}],\n\"shown\": 1}", errors::malformed, 3, 10},
+        {present + "\"shown\": -1}", errors::malformed, 2, 10},
+        {present + "\"shop\": []}", errors::malformed, 2, 9},
+        {head + "\"parts\": []}", errors::malformed, 2, 10},
         {std::string(40, '['), errors::malformed, 1, 33},
         {std::string(1000000, '['), errors::malformed, 1, 33},
     };
@@ -172,11 +195,11 @@ TEST(ProjectText, HostileTextIsRefusedWithItsPlace)
 TEST(ProjectText, ANewerVersionIsRefusedByItsNumber)
 {
     try {
-        project::parseProject(R"({"format": "lathelier-project", "version": 7, "unheard_of": 1})", "/");
+        project::parseProject(R"({"format": "lathelier-project", "version": 8, "unheard_of": 1})", "/");
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), errors::versionTooNew);
-        EXPECT_STREQ(error.what(), "The project has format version 7; this program reads up to version 6.");
+        EXPECT_STREQ(error.what(), "The project has format version 8; this program reads up to version 7.");
     }
 }
 

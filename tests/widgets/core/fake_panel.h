@@ -70,6 +70,8 @@ protected:
             ++*count;
             QFile file(QString::fromStdString(path));
             if (!file.exists()) throw Error(errors::fileNotFound, {{"path", path}});
+            if (file.open(QIODevice::ReadOnly) && file.peek(3) == "bad")  // found in reading only
+                throw Error(errors::malformed, {{"path", path}, {"found", "bad"}, {"expected", "x"}});
             const Progress part = progress.part(0, 1, Text{"Multiplying"});
             part.report(0.5);
             while (parameters.endless) {

@@ -9,8 +9,10 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "engine/project/parts.h"
 #include "tests/widgets/core/fake_panel.h"
 #include "widgets/core/form/form.h"
+#include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/resources.h"
 
@@ -209,13 +211,81 @@ private slots:
     {
         QSignalSpy messages(panel_.get(), &PanelBase::messageRaised);
         drop({folder_.filePath("missing.txt")});
-        QTRY_VERIFY(panel_->error().has_value());
-        QVERIFY(label("message").contains("missing.txt"));
+        QTRY_VERIFY(label("message").contains("missing.txt"));
         QVERIFY(label("message").contains("does not exist"));
         QCOMPARE(messages.count(), 1);
+        QVERIFY(!session_->isModified());
         drop({makeFile("b.txt", 1)});
         QTRY_VERIFY(panel_->isCurrent());
         QVERIFY(label("message").isEmpty());
+    }
+
+    void aRefusedFileTakesNoPlace_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("word");
+        QTest::newRow("not there") << "missing.txt"
+                                   << "does not exist";
+        QTest::newRow("no scan") << "a.dfq"
+                                 << "expected Point clouds";
+        QTest::newRow("found in reading") << "bad.txt"
+                                          << "expected x";
+    }
+    void aRefusedFileTakesNoPlace()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, word);
+        QFile bad(folder_.filePath("bad.txt"));
+        QVERIFY(bad.open(QIODevice::WriteOnly) && bad.write("bad") == 3);
+        bad.close();
+        makeFile("a.dfq", 5);
+        drop({makeFile("a.txt", 10)});
+        QTRY_VERIFY(panel_->isCurrent());
+        const project::Project before = session_->project();
+        QSignalSpy messages(panel_.get(), &PanelBase::messageRaised);
+        drop({folder_.filePath(name)});
+        QTRY_VERIFY2(label("message").contains(word), qPrintable(label("message")));
+        QTRY_VERIFY(panel_->isCurrent());  // not dimmed
+        QCOMPARE(panel_->shown(), QString("20"));
+        QCOMPARE(session_->project(), before);
+        QCOMPARE(session_->undoStack().count(), 1);
+        QVERIFY(!session_->undoStack().canRedo());
+        QCOMPARE(messages.count(), 1);
+        emit find<InputBox>("input_file")->filesDropped({folder_.filePath(name)});  // likewise at its input
+        QTRY_COMPARE(messages.count(), 2);
+        QTRY_VERIFY(panel_->isCurrent());
+        QCOMPARE(session_->project(), before);
+        type("factor_mm", "3");
+        QTRY_COMPARE(panel_->shown(), QString("30"));
+        QVERIFY(label("message").isEmpty());
+    }
+
+    /// There is nothing to come back to: reading options may settle it.
+    void aFileThatCannotBeReadStaysInAFreePlace()
+    {
+        QFile bad(folder_.filePath("bad.txt"));
+        QVERIFY(bad.open(QIODevice::WriteOnly) && bad.write("bad") == 3);
+        bad.close();
+        drop({bad.fileName()});
+        QTRY_VERIFY(panel_->error().has_value());
+        QCOMPARE(session_->panel("fake").inputs.size(), std::size_t{1});
+    }
+
+    void anotherPartShowsNothingOfThisOne()
+    {
+        drop({makeFile("a.txt", 10)});
+        QTRY_VERIFY(panel_->isCurrent());
+        session_->edit("Add", [](project::Project& project) { project::addPart(project, "B"); });
+        QVERIFY(!panel_->hasResult());  // at once
+        QVERIFY(find<QPushButton>("open")->isVisible());
+        QVERIFY(label("headline").isEmpty());
+        QVERIFY(!panel_->reportDocument() && panel_->offeredExports().empty());
+        drop({makeFile("b.txt", 7)});
+        QTRY_COMPARE(panel_->shown(), QString("14"));
+        session_->showPart(0);
+        QVERIFY(!panel_->hasResult());  // of B, not even dimmed
+        QTRY_VERIFY(panel_->isCurrent());
+        QCOMPARE(panel_->shown(), QString("20"));
     }
 
     void fileCanBeTakenAway()

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "engine/io/file.h"
+#include "engine/project/parts.h"
 #include "engine/project/project_codes.h"
 #include "widgets/core/session.h"
 
@@ -28,6 +29,19 @@ class SessionTest : public QObject {
     {
         session.edit(
             "title", [&](project::Project& project) { project.title = title; }, key);
+    }
+
+    static void setFactor(Session& session, double factor, const QString& key = {})
+    {
+        session.edit(
+            "factor",
+            [&](project::Project& project) { lathelier::set(project.panels["compare"].parameters, "factor", factor); },
+            key);
+    }
+    static Value factor(const Session& session)
+    {
+        const Value* const found = find(session.panel("compare").parameters, "factor");
+        return found ? *found : Value();
     }
 
 private slots:
@@ -108,6 +122,84 @@ private slots:
         Session again;
         again.open(path);
         QCOMPARE(again.view("compare", "hero"), Value(std::string("map")));
+    }
+
+    void anotherPartIsShownWithoutAStep()
+    {
+        const QTemporaryDir folder;
+        Session session;
+        setFactor(session, 1);
+        session.setView("compare", "hero", std::string("map"));
+        session.edit("Add a part", [](project::Project& project) { project::addPart(project, "B"); });
+        QCOMPARE(session.panel("compare"), project::PanelState());
+        QCOMPARE(session.view("compare", "hero"), Value());
+        session.save(folder.filePath("p.lathelier"));
+        QSignalSpy changed(&session, &Session::changed);
+        const int steps = session.undoStack().count(), opened = session.projectsOpened();
+        session.showPart(0);
+        QCOMPARE(changed.count(), 1);
+        QVERIFY(!session.isModified());
+        QCOMPARE(session.undoStack().count(), steps);
+        QVERIFY(session.projectsOpened() > opened);  // views and running work belong to another part
+        QCOMPARE(factor(session), Value(1.0));
+        QCOMPARE(session.view("compare", "hero"), Value(std::string("map")));
+    }
+
+    void undoReturnsToThePartOfItsStepAndChangesNoOther()
+    {
+        Session session;
+        setFactor(session, 1, "slider/0");
+        session.edit("Add a part", [](project::Project& project) { project::addPart(project, "B"); });
+        setFactor(session, 2, "slider/0");
+        session.showPart(0);
+        setFactor(session, 3, "slider/0");  // the same gesture, but of another part
+        session.showPart(1);
+        setFactor(session, 4);
+        session.setView("compare", "hero", std::string("b"));
+        session.showPart(0);
+        session.setView("compare", "hero", std::string("a"));
+        session.undoStack().undo();  // 4 of B
+        QCOMPARE(session.project().place, std::size_t{1});
+        QCOMPARE(factor(session), Value(2.0));
+        QCOMPARE(session.view("compare", "hero"), Value(std::string("b")));
+        QCOMPARE(*find(session.project().others[0].panels.at("compare").parameters, "factor"), Value(3.0));
+        session.undoStack().undo();  // 3 of the first
+        QCOMPARE(session.project().place, std::size_t{0});
+        QCOMPARE(factor(session), Value(1.0));
+        QCOMPARE(session.view("compare", "hero"), Value(std::string("a")));
+        QCOMPARE(*find(session.project().others[0].panels.at("compare").parameters, "factor"), Value(2.0));
+        session.showPart(1);
+        session.undoStack().redo();
+        QCOMPARE(session.project().place, std::size_t{0});
+        QCOMPARE(factor(session), Value(3.0));
+        session.undoStack().setIndex(1);  // before B
+        QCOMPARE(session.project().others.size(), std::size_t{0});
+        QCOMPARE(session.view("compare", "hero"), Value(std::string("a")));
+    }
+
+    void filesOfAllPartsAreComparedAndGetTheirDigest()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("a.txt"), path = folder.filePath("p.lathelier");
+        io::writeFile(file.toStdString(), "old");
+        Session session;
+        session.edit("Open", [&](project::Project& project) {
+            project.panels["compare"].inputs["copy"].path = file.toStdString();
+            project::addPart(project, "B");
+        });
+        project::Source source;
+        source.path = file.toStdString();
+        session.stores().of<TextStore>()->load(source);
+        session.save(path);
+        const project::Project saved = project::readProject(path.toStdString()).project;
+        QCOMPARE(saved.others.at(0).panels.at("compare").inputs.at("copy").sha256, io::sha256("old"));
+        io::writeFile(file.toStdString(), "another");
+        Session again;
+        QSignalSpy found(&again.watch(), &SourceWatch::found);
+        QSignalSpy compared(&again.watch(), &SourceWatch::savedCompared);
+        again.open(path);
+        QVERIFY(compared.wait());
+        QCOMPARE(found.count(), 1);
     }
 
     void saveAndOpen()

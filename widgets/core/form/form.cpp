@@ -102,8 +102,10 @@ void Form::enableGroups()
         const auto group = std::find_if(rows_.begin(), rows_.end(),
                                         [&row](const Row& other) { return other.info.key == row.info.group_key; });
         const bool there = group != rows_.end() && group->editor->value() == Value(true);
-        row.label->setEnabled(there);
-        row.editor->setEnabled(there);
+        for (QWidget* part : {static_cast<QWidget*>(row.label), static_cast<QWidget*>(row.editor)}) {
+            part->setEnabled(there);
+            part->setVisible(there);
+        }
     }
 }
 
@@ -113,6 +115,23 @@ void Form::setUnfolded(bool unfolded)
     fold_->setChecked(unfolded);
     fold_->setArrowType(unfolded ? Qt::DownArrow : Qt::RightArrow);
     advanced_->setVisible(unfolded);
+}
+
+void Form::setShown(const std::string& key, bool shown)
+{
+    for (const Row& row : rows_) {
+        if (row.info.key != key) continue;
+        row.label->setVisible(shown);
+        row.editor->setVisible(shown);
+    }
+}
+
+std::vector<std::string> Form::unfolded() const
+{
+    std::vector<std::string> keys;
+    for (const Row& row : rows_)
+        if (!row.info.advanced) keys.push_back(row.info.key);
+    return keys;
 }
 
 QWidget* Form::editor(const std::string& key) const
@@ -155,7 +174,7 @@ void Form::showLabels()
                                .arg(plain.toHtmlEscaped(), colours, tag.toHtmlEscaped()));
         folded += assumed && row.info.advanced;
     }
-    if (fold_) fold_->setText(folded ? tr("Advanced (%n assumed)", nullptr, folded) : tr("Advanced"));
+    if (fold_) fold_->setText(folded ? tr("More (%n assumed)", nullptr, folded) : tr("More"));
 }
 
 void Form::retranslate()

@@ -18,7 +18,7 @@ namespace lathelier {
 class FieldEditor;
 
 /// One editor for each field: label with tooltip, unit behind the editor, advanced fields folded away; the fields of a
-/// group under its heading, those of a group that is absent disabled. Programmatic setValues() emits no signal. Numbers
+/// group under its heading, those of a group that is absent hidden. Programmatic setValues() emits no signal. Numbers
 /// are shown in the user's locale.
 class Form : public QWidget {
     Q_OBJECT
@@ -27,9 +27,11 @@ public:
     ~Form() override;
 
     Values values() const;
-    void setValues(const Values& values);  ///< unknown names are ignored, missing ones keep their value
-    void setUnfolded(bool unfolded);       ///< shows the advanced fields
-    void setUsed(const UsedValues& used);  ///< marks empty fields with the value used and its origin
+    void setValues(const Values& values);               ///< unknown names are ignored, missing ones keep their value
+    void setUnfolded(bool unfolded);                    ///< shows the advanced fields
+    void setShown(const std::string& key, bool shown);  ///< a field without a meaning at present is hidden
+    std::vector<std::string> unfolded() const;          ///< keys of the fields before "More"
+    void setUsed(const UsedValues& used);               ///< marks empty fields with the value used and its origin
 
     /// The widget that edits `key`, for the keyboard focus and for tests; nullptr when there is none.
     QWidget* editor(const std::string& key) const;

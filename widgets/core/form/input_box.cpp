@@ -17,13 +17,6 @@
 namespace lathelier {
 namespace {
 
-bool settledByImport(const ErrorCode& code)
-{
-    return code == errors::unitUnknown || code == errors::numberAmbiguous || code == errors::malformed ||
-           code == errors::columnsUnknown || code == errors::frfUnitMissing || code == errors::frfUnitUnknown ||
-           code == errors::frequencyUnitMissing || code == errors::frfVariablesUnknown;
-}
-
 std::vector<FieldInfo> readingOf(const InputRole& role)
 {
     std::vector<FieldInfo> fields = infos<io::ImportOptions>();
@@ -133,8 +126,17 @@ void InputBox::setUnderstood(const QString& text)
 void InputBox::setProblem(const Error* error)
 {
     problem_ = error != nullptr;
-    if (error && settledByImport(error->code())) how_->setChecked(true);
+    if (error &&
+        (asksHowToRead(error->code()) || error->code() == errors::malformed || error->code() == errors::columnsUnknown))
+        how_->setChecked(true);
     refresh();
+}
+
+bool asksHowToRead(const ErrorCode& code)
+{
+    return code == errors::unitUnknown || code == errors::numberAmbiguous || code == errors::frfUnitMissing ||
+           code == errors::frfUnitUnknown || code == errors::frequencyUnitMissing ||
+           code == errors::frfVariablesUnknown;
 }
 
 QString understoodText(const io::FileFacts& facts, const QString& amount)

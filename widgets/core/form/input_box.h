@@ -67,6 +67,9 @@ private:
     Form* import_;
 };
 
+/// Whether one of the reading options settles this error of a reader, such as a unit that is not stated.
+bool asksHowToRead(const ErrorCode& code);
+
 /// "PLY binary · 732 000 points · unit mm": format, `amount`, and how the file was read.
 QString understoodText(const io::FileFacts& facts, const QString& amount);
 

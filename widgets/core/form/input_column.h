@@ -8,13 +8,16 @@
 #include "engine/walk/walk.h"
 #include "widgets/core/panel/panel_facts.h"
 
+class QToolButton;
+
 namespace lathelier {
 
 class Form;
 class InputBox;
 
 /// Shows a PanelState and emits the changes requested by the user, which the panel applies through the session; `step`
-/// names the change in the Edit menu.
+/// names the change in the Edit menu. Optional inputs that are not given have no place of their own: one button offers
+/// them.
 class InputColumn : public QScrollArea {
     Q_OBJECT
 public:
@@ -38,21 +41,30 @@ public:
     void insertBefore(const std::string& role, QWidget* control);
 
 signals:
+    void filesChosen(const lathelier::InputRole& role, const QStringList& paths);
     void sourcesChosen(const lathelier::InputRole& role, const std::vector<lathelier::project::Source>& sources,
                        const QString& step);
     void parameterEdited(const std::string& key, const lathelier::Value& value, int gesture, const QString& step);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     InputBox* makeBox(const InputRole& role);
+    bool hasPlace(const InputRole& role) const;
+    void showPlaces();
+    void fillAddMenu();
+    void retranslate();
+    void use(const InputRole& role, const QString& item);
     void ask(const InputRole& role);
     void choose(const InputRole& role, const QStringList& paths);
 
     PanelInputs inputs_;
     project::PanelState state_;
     std::map<std::string, InputBox*> boxes_;
+    std::map<std::string, QStringList> items_;  ///< of the project, by role
+    QToolButton* add_;
     Form* form_;
 };
 

@@ -28,7 +28,7 @@ constexpr int patience_ms = 150;     // delay before the old result is dimmed
 }  // namespace
 
 PanelBase::PanelBase(Session& session, const PanelFacts& facts, const PanelInputs& inputs, QWidget* parent)
-    : QWidget(parent), session_(session), facts_(facts), inputs_(inputs), finder_(kindsOf(inputs.roles))
+    : QWidget(parent), session_(session), facts_(facts), inputs_(inputs), finder_(acceptedKinds())
 {
     setObjectName(QString::fromStdString("panel_" + facts.id));
     setAcceptDrops(true);
@@ -46,6 +46,7 @@ PanelBase::PanelBase(Session& session, const PanelFacts& facts, const PanelInput
 
     connect(&poll_, &QTimer::timeout, this, &PanelBase::pollWorker);
     connect(column_, &InputColumn::sourcesChosen, this, &PanelBase::takeSources);
+    connect(column_, &InputColumn::filesChosen, this, &PanelBase::takeFiles);
     connect(column_, &InputColumn::parameterEdited, this, &PanelBase::editParameter);
     connect(&session_, &Session::changed, this, &PanelBase::readProject);
     connect(&session_, &Session::filesTaken, this, &PanelBase::request);
@@ -136,6 +137,9 @@ void PanelBase::readProject()
     }
     if (opened_ != session_.projectsOpened()) {
         opened_ = session_.projectsOpened();
+        result_.reset();  // of another project or part
+        asked_ = false;
+        taken_.reset();
         const auto kept = session_.project().views.find(facts_.id);
         restoreView(kept == session_.project().views.end() ? Values() : kept->second);
     }
@@ -147,6 +151,11 @@ void PanelBase::readProject()
     state_ = state;
     if (state_.inputs != takenInputs_) nextPart_->hide();
     column_->showState(state_);
+    if (restoring_) {
+        error_.reset();
+        return;
+    }
+    refusal_.reset();
     request();
 }
 
@@ -209,12 +218,16 @@ void PanelBase::pollWorker()
             if (auto* value = std::get_if<std::shared_ptr<const void>>(&*outcome)) accept(std::move(*value));
             return begin();
         }
-        if (auto* value = std::get_if<std::shared_ptr<const void>>(&*outcome))
+        if (auto* value = std::get_if<std::shared_ptr<const void>>(&*outcome)) {
             accept(std::move(*value));
-        else if (const auto* error = std::get_if<Error>(&*outcome))
-            refuse(*error);
-        else
+        } else if (const auto* error = std::get_if<Error>(&*outcome)) {
+            if (!takeBack(*error))
+                refuse(*error);
+            else if (again_ || worker_.state().busy)  // computes for the files that came back
+                return;
+        } else {
             stopped_ = hasInputs();
+        }
     } else if (state.busy) {
         if (isLate() && !shade_->isVisibleTo(viewsPage_)) updateStack();
         return;
@@ -236,6 +249,7 @@ void PanelBase::showFacts()
 
 void PanelBase::accept(std::shared_ptr<const void> result)
 {
+    taken_.reset();
     if (!result) return;  // files were only read
     result_ = std::move(result);
     showValue(result_);
@@ -273,7 +287,8 @@ void PanelBase::updateStack()
     const bool begun = hasInputs() && !missing.isEmpty();
     empty_->setInvitation(screenText(inputs_.invitation),
                           begun ? tr("Still missing: %1").arg(missing.join(", ")) : QString());
-    stack_->setCurrentWidget(hasResult() || (complete && isBusy()) ? viewsPage_ : static_cast<QWidget*>(empty_));
+    empty_->setWaiting(complete && isBusy());
+    stack_->setCurrentWidget(hasResult() ? viewsPage_ : static_cast<QWidget*>(empty_));
     progress_->setResultThere(isCurrent());
     const bool onlyFacts = error_ && hasResult() && problemOf(result_.get());
     shade_->setVisible(isBusy() ? isLate() || !hasResult() : !isCurrent() && !onlyFacts);
@@ -296,8 +311,8 @@ void PanelBase::showAnswer()
     }
     const bool dimmed = shade_->isVisibleTo(viewsPage_);
     answer_->setEnabled(!dimmed);
-    if (error_)
-        message_->setError(*error_);
+    if (error_ || refusal_)
+        message_->setError(error_ ? *error_ : *refusal_);
     else if (stopped_ && !isBusy())
         message_->setHint(tr("Stopped. Change an input or press F5 to compute again."));
     else

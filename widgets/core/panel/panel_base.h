@@ -41,10 +41,11 @@ public:
     bool isCurrent() const { return hasResult() && !isBusy() && !stopped_ && !error_; }
     const std::optional<Error>& error() const { return error_; }
 
-    /// Assigns `paths` to the inputs: empty ones first, in order. One undo step. If the panel accepts several kinds of
-    /// file, their heads are read first, in the background.
+    /// Assigns `paths` to the inputs: empty ones first, in order. One undo step. Their heads are read first, in the
+    /// background; files of other kinds are refused and take no place. A file in place of a former one that cannot be
+    /// read is withdrawn: the former comes back, no undo step remains, and the error is shown.
     void openFiles(const QStringList& paths);
-    virtual void openFound(const std::vector<FoundFile>& files);  ///< the same with files whose kind is known
+    virtual void openFound(const std::vector<FoundFile>& files);  ///< the same with files of kinds that it accepts
     void askForFiles();                                           ///< openFiles() with a file dialog
     void cancel();
     void recompute();  ///< recomputes although the state is unchanged (a file on disk may have changed)
@@ -76,6 +77,7 @@ signals:
     void messageRaised(const lathelier::Message& message);
     void sampleRequested();
     void panelRequested(const std::string& id);  ///< request to show another panel
+    void filesDropped(const QStringList& paths);  ///< on the panel; not connected: it opens them itself
     void reportRequested(const QString& suffix);  ///< request for a report of this panel: "html" or "pdf"
 
 protected:
@@ -160,7 +162,12 @@ private:
     bool hasInputs() const;
     bool isLate() const;
     void offerOtherRole(const project::PanelState& before);
+    io::FileKinds acceptedKinds() const;
     void takeSources(const InputRole& role, const std::vector<project::Source>& sources, const QString& step);
+    void takeFiles(const InputRole& role, const QStringList& paths);
+    void takePlaces(const QString& step, const std::function<void(project::PanelState&)>& change);
+    bool takeBack(const Error& error);
+    std::vector<FoundFile> withoutRefused(const std::vector<FoundFile>& files, const io::FileKinds& kinds);
     void editParameter(const std::string& key, const Value& value, int gesture, const QString& step);
     void fillExportMenu();
     void runExport(const PanelExport& item);
@@ -185,6 +192,15 @@ private:
     Value keptPrimary_;  ///< large view stored in the project; none: not chosen
     MessageLine* message_ = nullptr;
     NextPartBar* nextPart_ = nullptr;
+    /// Files that took the place of others, until they are read.
+    struct Taken {
+        std::vector<std::string> paths;
+        int step = 0;              ///< index of the undo stack after it
+        bool was_current = false;  ///< the shown result is that of the state before
+    };
+    std::optional<Taken> taken_;
+    bool restoring_ = false;        ///< the state before comes back, and its result is still shown
+    std::optional<Error> refusal_;  ///< of a file that took no place: the state is as it was
     std::map<std::string, project::Source> takenInputs_;  ///< inputs at the time of nextPart_'s offer
     QStackedWidget* stack_ = nullptr;
     EmptyState* empty_ = nullptr;

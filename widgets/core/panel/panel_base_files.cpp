@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QMetaMethod>
 #include <QMimeData>
 #include <QPointer>
 #include <QUrl>
@@ -104,18 +105,95 @@ void PanelBase::takeSources(const InputRole& role, const std::vector<project::So
 void PanelBase::openFiles(const QStringList& paths)
 {
     if (paths.isEmpty()) return;
-    if (finder_.isBusy() || kindsOf(inputs_.roles).size() > 1)
-        return finder_.find(paths, [this](const std::vector<FoundFile>& files) { openFound(files); });
-    std::vector<FoundFile> files;
-    for (const QString& path : paths) files.push_back({path.toStdString()});
-    openFound(files);
+    finder_.find(paths, [this](const std::vector<FoundFile>& files) {
+        const std::vector<FoundFile> taken = withoutRefused(files, acceptedKinds());
+        if (!taken.empty()) openFound(taken);
+    });
+}
+
+io::FileKinds PanelBase::acceptedKinds() const
+{
+    io::FileKinds kinds = kindsOf(inputs_.roles);
+    io::unite(kinds, facts_.kinds);
+    return kinds;
+}
+
+/// Files for one input, chosen or dropped there.
+void PanelBase::takeFiles(const InputRole& role, const QStringList& paths)
+{
+    const auto take = [this, role](const std::vector<FoundFile>& files) {
+        std::vector<project::Source> sources;
+        for (const FoundFile& file : withoutRefused(files, role.kinds))
+            sources.push_back(newSource(QString::fromStdString(file.path)));
+        if (sources.empty()) return;
+        takePlaces(tr("Open %1").arg(screenFileName(QString::fromStdString(sources.front().path))),
+                   [&](project::PanelState& state) { setSources(state, role, sources); });
+    };
+    finder_.find(paths, take, role.kinds);
+}
+
+/// Reports the files that are refused; the state keeps what it has.
+std::vector<FoundFile> PanelBase::withoutRefused(const std::vector<FoundFile>& files, const io::FileKinds& kinds)
+{
+    std::vector<FoundFile> taken;
+    for (const FoundFile& file : files) {
+        const std::optional<Error> refusal = refusalOf(file, kinds);
+        if (!refusal) {
+            taken.push_back(file);
+            continue;
+        }
+        refusal_ = refusal;
+        emit messageRaised({*refusal, facts_.title});
+    }
+    showAnswer();
+    return taken;
+}
+
+/// Remembers which files replaced others, for takeBack().
+void PanelBase::takePlaces(const QString& step, const std::function<void(project::PanelState&)>& change)
+{
+    const std::map<std::string, project::Source> before = session_.panel(facts_.stateKey()).inputs;
+    const bool was_current = isCurrent();
+    taken_.reset();
+    editState(step, change);
+    const std::map<std::string, project::Source>& after = session_.panel(facts_.stateKey()).inputs;
+    const auto stays = [&after](const auto& input) {
+        const auto now = after.find(input.first);
+        return now != after.end() && now->second == input.second;
+    };
+    if (std::all_of(before.begin(), before.end(), stays)) return;
+    taken_ = Taken{{}, session_.undoStack().index(), was_current};
+    for (const auto& [key, source] : after)
+        if (const auto earlier = before.find(key); earlier == before.end() || earlier->second != source)
+            taken_->paths.push_back(source.path);
+}
+
+/// The reader refuses a file that replaced another: the former comes back, without an undo step. Where a reading option
+/// settles the error, the file stays. False: nothing was taken back.
+bool PanelBase::takeBack(const Error& error)
+{
+    if (!taken_ || asksHowToRead(error.code())) return false;
+    const Taken taken = *taken_;
+    taken_.reset();
+    const Value* const path = lathelier::find(error.values(), "path");
+    const bool is_meant = path && std::any_of(taken.paths.begin(), taken.paths.end(),
+                                              [&](const std::string& one) { return *path == Value(one); });
+    if (!is_meant) return false;
+    restoring_ = taken.was_current;
+    const bool is_back = session_.withdraw(taken.step);
+    restoring_ = false;
+    if (!is_back) return false;
+    refusal_ = error;
+    emit messageRaised({error, facts_.title});
+    showAnswer();
+    return true;
 }
 
 void PanelBase::openFound(const std::vector<FoundFile>& files)
 {
     const project::PanelState before = state_;
-    editState(tr("Open %1").arg(screenFileName(QString::fromStdString(files.front().path))),
-              [&](project::PanelState& state) { assignFiles(state, files); });
+    takePlaces(tr("Open %1").arg(screenFileName(QString::fromStdString(files.front().path))),
+               [&](project::PanelState& state) { assignFiles(state, files); });
     if (files.size() == 1) offerOtherRole(before);
 }
 
@@ -194,13 +272,12 @@ void PanelBase::editParameter(const std::string& key, const Value& value, int ge
 
 std::vector<PanelExport> PanelBase::offeredExports() const
 {
+    if (!result_) return {};
     std::vector<PanelExport> all = exports();
-    if (result_)
-        all.push_back({tr("All numbers (JSON)…"), tr("JSON (*.json)"), "json", [this](const QString& path) {
-                           const auto part = reportDocument();
-                           io::writeFile(path.toStdString(),
-                                         part ? report::joinedResults(part->results) : std::string());
-                       }});
+    all.push_back({tr("All numbers (JSON)…"), tr("JSON (*.json)"), "json", [this](const QString& path) {
+                       const auto part = reportDocument();
+                       io::writeFile(path.toStdString(), part ? report::joinedResults(part->results) : std::string());
+                   }});
     return all;
 }
 
@@ -301,7 +378,10 @@ void PanelBase::dropEvent(QDropEvent* event)
     for (const QUrl& url : event->mimeData()->urls())
         if (url.isLocalFile()) paths << url.toLocalFile();
     event->acceptProposedAction();
-    openFiles(paths);
+    if (isSignalConnected(QMetaMethod::fromSignal(&PanelBase::filesDropped)))
+        emit filesDropped(paths);
+    else
+        openFiles(paths);
 }
 
 }  // namespace lathelier

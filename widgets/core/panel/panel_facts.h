@@ -76,6 +76,9 @@ struct PanelFacts {
     /// Accepted kinds of file: such a file opens this panel and its question.
     io::FileKinds kinds = {};
 
+    /// Kinds of file that belong here when one is opened alone, although other panels accept them too.
+    io::FileKinds alone = {};
+
     /// Missing required inputs; none: missingOf(roles).
     std::function<std::vector<Text>(const project::PanelState&)> missing = {};
 
@@ -117,6 +120,8 @@ struct PanelInputs {
     std::vector<FieldInfo> fields;  ///< of the form, in display order
     Values defaults;                ///< default values of the fields
     Text invitation;                ///< sentence of the empty state
+    /// Tables by the role of the file that stands in their place: hidden while they are empty and it is given.
+    std::map<std::string, std::string> tables = {};
 };
 
 /// A command of a panel, for the command palette.

@@ -54,6 +54,12 @@ PanelInputs inputsOf(const task::Task& task, const std::vector<std::string>& rol
     return inputs;
 }
 
+void foldAllBut(PanelInputs& inputs, const std::vector<std::string>& unfolded)
+{
+    for (FieldInfo& info : inputs.fields)
+        info.advanced = std::find(unfolded.begin(), unfolded.end(), info.key) == unfolded.end();
+}
+
 PanelFacts factsOf(const task::Task& task, const char* id, const char* icon, const std::vector<std::string>& roles,
                    const task::Wanted& wanted, const Values& begins_with)
 {

@@ -22,6 +22,9 @@ PanelInputs inputsOf(const task::Task& task, const std::vector<std::string>& rol
                      const std::vector<std::string>& unfolded, bool rest, Text invitation,
                      const std::vector<std::string>& without = {});
 
+/// Folds all fields but these, in the order of the form.
+void foldAllBut(PanelInputs& inputs, const std::vector<std::string>& unfolded);
+
 /// Id, title, kinds, roles, items and the report of a panel with these inputs. `begins_with`: values that the panel
 /// begins with in place of the task's defaults.
 PanelFacts factsOf(const task::Task& task, const char* id, const char* icon, const std::vector<std::string>& roles,

@@ -46,15 +46,29 @@ EmptyState::EmptyState(QWidget* parent)
 
 void EmptyState::setInvitation(const QString& sentence, const QString& missing)
 {
-    sentence_->setText(sentence);
+    invitation_ = sentence;
     missing_->setText(missing);
-    missing_->setVisible(!missing.isEmpty());
+    refresh();
+}
+
+void EmptyState::setWaiting(bool waiting)
+{
+    waiting_ = waiting;
+    refresh();
+}
+
+void EmptyState::refresh()
+{
+    sentence_->setText(waiting_ ? tr("Computing…") : invitation_);
+    missing_->setVisible(!waiting_ && !missing_->text().isEmpty());
+    for (QPushButton* button : {open_, sample_}) button->setVisible(!waiting_);
 }
 
 void EmptyState::retranslate()
 {
     open_->setText(tr("Open…"));
     sample_->setText(tr("Open the sample"));
+    refresh();
 }
 
 void EmptyState::changeEvent(QEvent* event)

@@ -17,6 +17,7 @@ class EmptyState : public QWidget {
 public:
     explicit EmptyState(QWidget* parent = nullptr);
     void setInvitation(const QString& sentence, const QString& missing);
+    void setWaiting(bool waiting);  ///< for the first result: nothing to be done here
 
 signals:
     void openRequested();
@@ -28,7 +29,10 @@ protected:
 
 private:
     void retranslate();
+    void refresh();
 
+    QString invitation_;
+    bool waiting_ = false;
     QLabel* sentence_;
     QLabel* missing_;
     QPushButton* open_;

@@ -19,7 +19,10 @@
 #include "app/gui/file_taker.h"
 #include "app/gui/parts_box.h"
 #include "app/gui/settings_dialog.h"
+#include "app/gui/shop_choice.h"
+#include "app/gui/shop_dialog.h"
 #include "app/gui/theme.h"
+#include "engine/walk/shop_supply.h"
 #include "widgets/core/panel/primary_views.h"
 
 namespace lathelier {
@@ -50,6 +53,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
       ordinaryFont_(QApplication::font())
 {
     session_.setPlaces(placesOf(panels));
+    useShop();
     useStartingValues();
     setAcceptDrops(true);
     setDockNestingEnabled(true);
@@ -76,6 +80,13 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
     openSaved_->setObjectName("openSaved");
     statusBar()->addWidget(openSaved_);
     makeDocks(panels);
+    std::vector<AskedQuestion> asked;
+    for (const Question& question : questions_) {
+        asked.push_back({question.id, {}});
+        for (const PanelDock* dock : docksIn(docks_, question.id)) asked.back().panels.push_back(dock->facts().id);
+    }
+    answers_ = std::make_unique<PartAnswers>(session_, std::move(asked));
+    connect(answers_.get(), &PartAnswers::answered, this, &MainWindow::answerQuestion);
     makeActions();
     makeMenus();
     makeQuestionBar();
@@ -84,6 +95,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
 
     connect(&session_, &Session::pathChanged, this, &MainWindow::updateTitle);
     connect(&session_, &Session::modifiedChanged, this, &MainWindow::updateTitle);
+    connect(&session_, &Session::changed, this, &MainWindow::useShop);
     connect(&session_, &Session::changed, this, &MainWindow::clearStatus);  // it belonged to the previous state
     connect(&session_, &Session::workspaceChanged, this, [this] { enterQuestion(session_.project().workspace); });
     connect(&files_, &ProjectFiles::messageRaised, this, &MainWindow::announce);
@@ -95,6 +107,17 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
     enterQuestion(session_.project().workspace);
     updateTitle();
     useTheme();
+}
+
+void MainWindow::useShop()
+{
+    session_.setSupply(walk::supplyOf(shopOf(session_.project())));
+}
+
+void MainWindow::askForShop()
+{
+    ShopDialog dialog(shopOf(session_.project()), this);
+    if (dialog.exec() == QDialog::Accepted) keepShop(session_, dialog.shop());
 }
 
 void MainWindow::useTheme()

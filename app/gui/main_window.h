@@ -14,6 +14,7 @@
 #include "app/gui/settings.h"
 #include "widgets/core/files/kind_finder.h"
 #include "widgets/core/language.h"
+#include "widgets/core/walk/part_answers.h"
 #include "widgets/core/panel/message_log.h"
 #include "widgets/core/shell/empty_place.h"
 #include "widgets/core/shell/question_bar.h"
@@ -69,6 +70,8 @@ private:
     void makeTools();
     void showQuestionMenu(const std::string& id, const QPoint& global);
     void answerQuestion(const std::string& id);
+    void useShop();
+    void askForShop();
     void followFront(PanelDock* dock);
     void showEmptyPlace();
     void clearStatus();
@@ -97,6 +100,7 @@ private:
     Languages& languages_;
     Settings settings_;
     ProjectFiles files_;
+    std::unique_ptr<PartAnswers> answers_;  ///< of the questions, from the background
     std::vector<Question> questions_;
     KindFinder finder_;  ///< of all files that any panel works on
     std::vector<PanelDock*> docks_;

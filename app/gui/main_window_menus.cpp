@@ -53,6 +53,7 @@ void MainWindow::makeActions()
     makeAction("nextPart", "open", {QKeySequence("Ctrl+Shift+O")}, [this] {
         if (activeDock()) activeDock()->panel().askForFiles();
     });
+    makeAction("shop", "settings", {}, [this] { askForShop(); });
     makeAction("titleBlock", "", {}, [this] { askForTitleBlock(); });
     makeAction("reportHtml", "report", {}, [this] { writeProjectReport("html"); });
     makeAction("reportPdf", "report", {QKeySequence("Ctrl+P")}, [this] { writeProjectReport("pdf"); });
@@ -114,7 +115,7 @@ void MainWindow::makeMenus()
                 menus_[entry] = menu->addMenu(QString());
         }
     };
-    add("file", {"new", "open", "nextPart", "recent", "sample", "", "save", "saveAs", "saveRecipe", "", "titleBlock",
+    add("file", {"new", "open", "nextPart", "recent", "sample", "", "save", "saveAs", "saveRecipe", "", "shop", "titleBlock",
                  "reportHtml", "reportPdf", "", "quit"});
     add("edit", {"undo", "redo", "", "settings"});
     add("view", {"questions", "panels", ""});
@@ -213,6 +214,7 @@ void MainWindow::retranslate()
     word("saveAs", tr("Save &as…"));
     word("saveRecipe", tr("Save as &recipe…"));
     word("nextPart", tr("Ne&xt part…"));
+    word("shop", tr("S&hop…"));
     word("titleBlock", tr("&Title block of the reports…"));
     word("reportHtml", tr("Project report as &HTML…"));
     word("reportPdf", tr("Project report as &PDF…"));

@@ -190,6 +190,8 @@ void MainWindow::showEmptyPlace()
 void MainWindow::answerQuestion(const std::string& id)
 {
     if (!questionBar_) return;
+    if (const PartAnswer& answer = answers_->of(id); !answer.panel.empty())
+        return questionBar_->setAnswer(id, questionAnswer(answer));
     std::vector<const PanelBase*> panels;
     for (const PanelDock* dock : docksIn(docks_, id))
         if (dock->madePanel()) panels.push_back(dock->madePanel());

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <iostream>
 
+#include "app/gui/shop_choice.h"
 #include "engine/core/failure.h"
 #include "engine/report/title_block.h"
 #include "engine/task/stores.h"
+#include "engine/walk/shop_supply.h"
+#include "engine/walk/walk.h"
 #include "widgets/core/language.h"
 #include "widgets/core/report/report_files.h"
 
@@ -50,14 +53,16 @@ int runReport(const QString& file, const QString& project, const std::vector<Pan
         const project::Project opened =
             project::readProject(QFileInfo(project).absoluteFilePath().toStdString()).project;
         for (const Note& note : project::checkSources(opened)) say(screenText(note));
-        Stores stores;
+        const auto stores = std::make_shared<Stores>();
+        const walk::Walk walk(opened, placesOf(panels), walk::supplyOf(shopOf(opened)), stores);
         std::vector<report::Document> parts;
         bool answered = false;
         for (const std::string& id : reported(opened, panels)) {
             const auto facts =
                 std::find_if(panels.begin(), panels.end(), [&](const PanelFacts& panel) { return panel.id == id; });
             if (facts == panels.end()) continue;
-            const project::PanelState state = project::resolved(opened, facts->stateKey());
+            const project::PanelState state =
+                walk.place(id) ? walk.promised(id) : project::resolved(opened, facts->stateKey());
             if (facts->missing && !facts->missing(state).empty()) {
                 parts.push_back(partWithoutAnswer(*facts, state, {}));
                 say(screenText(facts->title));
@@ -69,7 +74,9 @@ int runReport(const QString& file, const QString& project, const std::vector<Pan
                 continue;
             }
             try {
-                parts.push_back(facts->report(state, stores, screenLanguage(), {}));
+                task::Sources sources;
+                const project::PanelState asked = walk.place(id) ? walk.complete(id, sources.notes, {}) : state;
+                parts.push_back(facts->report(asked, *stores, sources, screenLanguage(), {}));
                 answered = true;
             } catch (const std::exception& failure) {  // the other panels are reported all the same
                 parts.push_back(partWithoutAnswer(*facts, state, toError(failure)));

@@ -78,8 +78,18 @@ PanelFacts chainPanelFacts()
         return wasRun(state) ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "a run of the chain")};
     };
     facts.has_work = wasRun;
-    facts.report = [](const project::PanelState& state, Stores& stores, const Language&, const Progress& progress) {
+    facts.report = [](const project::PanelState& state, Stores& stores, task::Sources&, const Language&,
+                      const Progress& progress) {
         return chain::reportOf(chain::chainOutcome(state, stores, progress));
+    };
+    facts.answer = [](const project::PanelState& state, Stores& stores, task::Sources&, const Progress& progress) {
+        const auto outcome = std::make_shared<const chain::ChainOutcome>(chain::chainOutcome(state, stores, progress));
+        walk::PlaceAnswer made;
+        made.value = outcome;
+        made.outcome.notes = outcome->notes;
+        made.outcome.answer = [outcome](const Language&) { return chain::answerOf(*outcome); };
+        made.is_synthetic = outcome->synthetic;
+        return made;
     };
     facts.make = [](Session& session) -> PanelBase* { return new ChainPanel(session); };
     return facts;

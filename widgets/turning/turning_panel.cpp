@@ -58,9 +58,8 @@ PanelFacts turningPanelFacts()
     facts.make = [](Session& session) -> PanelBase* { return new TurningPanel(session); };
     facts.missing = missingInputs;
     facts.has_work = [](const project::PanelState& state) { return missingInputs(state).empty(); };
-    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) {
-        task::Sources sources;
+    facts.report = [](const project::PanelState& state, Stores& stores, task::Sources& sources,
+                      const Language& language, const Progress& progress) {
         return reportOf(cam::turningOutcome(state, stores, sources, progress), language);
     };
     return facts;

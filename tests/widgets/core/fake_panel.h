@@ -55,7 +55,7 @@ public:
             "compare",
             questionOf(question),
             [id](Session& owner) { return new FakePanel(owner, id); },
-            [](const project::PanelState&, Stores&, const Language&, const Progress&) { return report::Document{}; }};
+            [](const project::PanelState&, Stores&, task::Sources&, const Language&, const Progress&) { return report::Document{}; }};
     }
 
     QString shown() const { return views_->text(); }

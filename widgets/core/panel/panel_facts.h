@@ -59,7 +59,10 @@ struct PanelFacts {
     std::function<PanelBase*(Session&)> make;
 
     /// The panel's part of a report without any widget or display; blocks. Throws the exceptions of the engine.
-    std::function<report::Document(const project::PanelState&, Stores&, const Language&, const Progress&)> report;
+    /// `sources` has the notes of what was filled in.
+    std::function<report::Document(const project::PanelState&, Stores&, task::Sources& sources, const Language&,
+                                   const Progress&)>
+        report;
 
     /// The task that it stands over; nullptr: none.
     const task::Task* task = nullptr;

@@ -85,9 +85,9 @@ PanelFacts factsOf(const task::Task& task, const char* id, const char* icon, con
             return !state.inputs.empty() || !givenOf(task, state).empty();
         };
     facts.report = [&task, wanted, begins_with](const project::PanelState& state, Stores& stores,
-                                                const Language& language, const Progress& progress) {
+                                                task::Sources& sources, const Language& language,
+                                                const Progress& progress) {
         const project::PanelState asked = filledWith(state, begins_with);
-        task::Sources sources;
         const task::Outcome outcome = task.run(asked, wanted, stores, sources, progress);
         if (!outcome.report) throw Error(outcome.errors.front());
         return documentOf(task, asked, sources, outcome, language);

@@ -5,6 +5,7 @@
 
 #include "widgets/core/language.h"
 #include "widgets/core/panel/panel_base.h"
+#include "widgets/core/walk/part_answers.h"
 
 namespace lathelier {
 namespace {
@@ -68,6 +69,23 @@ QuestionAnswer questionAnswer(const report::Answer& answer)
     const bool assumed = std::any_of(answer.used.begin(), answer.used.end(),
                                      [](const UsedValue& used) { return used.origin == ValueOrigin::Assumed; });
     return {State::Answered, answer.verdict, shortAnswer(answer), wholeAnswer(answer), assumed};
+}
+
+QuestionAnswer questionAnswer(const PartAnswer& answer)
+{
+    QuestionAnswer box = answer.answer ? questionAnswer(*answer.answer) : QuestionAnswer{};
+    box.assumed = box.assumed || answer.is_assumed;
+    switch (answer.state) {
+        case PartAnswer::State::Missing: box.state = State::Empty; break;
+        case PartAnswer::State::Computing: box.state = State::Computing; break;
+        case PartAnswer::State::Answered: box.state = State::Answered; break;
+        case PartAnswer::State::Failed:
+            box.state = State::Failed;
+            if (answer.error) box.tooltip = screenText(*answer.error);
+            if (box.text.isEmpty()) box.text = box.tooltip;
+            break;
+    }
+    return box;
 }
 
 QuestionAnswer answerOfPanels(const std::vector<const PanelBase*>& panels)

@@ -11,6 +11,7 @@
 namespace lathelier {
 
 class PanelBase;
+struct PartAnswer;
 
 struct QuestionAnswer {
     enum class State {
@@ -36,6 +37,9 @@ QString signOf(const std::optional<Verdict>& verdict);
 
 /// An answer as a box says it.
 QuestionAnswer questionAnswer(const report::Answer& answer);
+
+/// An answer of the background likewise.
+QuestionAnswer questionAnswer(const PartAnswer& answer);
 
 /// Of the first of the panels of a question that shows a result; without one, whether any computes or has failed.
 QuestionAnswer answerOfPanels(const std::vector<const PanelBase*>& panels);

@@ -53,6 +53,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
       ordinaryFont_(QApplication::font())
 {
     session_.setPlaces(placesOf(panels));
+    session_.setStartingShop(startingShop());
     useShop();
     useStartingValues();
     setAcceptDrops(true);

@@ -24,6 +24,11 @@ std::optional<shop::StatedShop> read(const std::string& text)
     }
 }
 
+shop::StatedShop shopOfSettings()
+{
+    return read(QSettings().value(shopKey).toString().toStdString()).value_or(shop::StatedShop{});
+}
+
 }  // namespace
 
 shop::StatedShop shopOf(const project::Project& project)
@@ -32,13 +37,19 @@ shop::StatedShop shopOf(const project::Project& project)
     const auto* const text = kept ? std::get_if<std::string>(kept) : nullptr;
     if (text)
         if (auto own = read(*text)) return *std::move(own);
-    return read(QSettings().value(shopKey).toString().toStdString()).value_or(shop::StatedShop{});
+    return shopOfSettings();
+}
+
+Values startingShop()
+{
+    return {{shopKey, shop::shopText(shopOfSettings())}};
 }
 
 void keepShop(Session& session, const shop::StatedShop& shop)
 {
     const std::string text = shop::shopText(shop);
     QSettings().setValue(shopKey, QString::fromStdString(text));
+    session.setStartingShop(startingShop());
     session.edit(QCoreApplication::translate("lathelier::ShopDialog", "Choose the shop"),
                  [&](project::Project& project) { set(project.shop, shopKey, text); });
 }

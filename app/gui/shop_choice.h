@@ -1,4 +1,4 @@
-// The shop of a project: its own, else that of the settings, else the built-in one.
+// The shop of a project: its own, else that of the settings, which is at first the built-in one.
 #pragma once
 
 #include "engine/project/project.h"
@@ -10,6 +10,9 @@ class Session;
 
 /// What cannot be read (of a later version, damaged) is left out.
 shop::StatedShop shopOf(const project::Project& project);
+
+/// Of the settings, as Project::shop.
+Values startingShop();
 
 /// For this project, and for new ones. One undo step.
 void keepShop(Session& session, const shop::StatedShop& shop);

@@ -157,9 +157,14 @@ SampleContent makeChain(std::uint64_t seed, const Progress& progress)
                                                  {{"about", syntheticScan},
                                                   {"barrel_of_row_1_um", longSeatBarrel_um},
                                                   {"taper_of_row_3_um", secondSeatTaper_um}}}});
-    content.panels["turning"] = {
-        .inputs = {{"job", "chain_job.json"}, {"shaft", "chain_drawing.json"}, {"spindle", "spindle.json"}},
-        .parameters = {}};
+    // One part: what a question is not given here it takes from the ones before.
+    content.panels["recognise"] = {.inputs = {{"scan", "chain_worn.ply"}}, .parameters = {}};
+    content.panels["drawing"] = {.inputs = {{"shaft", "chain_drawing.json"}},
+                                 .parameters = {{"date", std::string("2026-01-15")}}};
+    content.panels["turning"] = {.inputs = {{"job", "chain_job.json"}}, .parameters = {}};
+    content.panels["deflection"] = {.inputs = {{"setup", "chain_setup.json"}}, .parameters = {{"tolerance_um", 25.0}}};
+    content.panels["compare"] = {
+        .inputs = {{"copy", "chain_copy.ply"}}, .parameters = {{"tolerance_mm", 0.1}}, .in_report = true};
     content.panels["chain"] = {.inputs = {{"scan", "chain_worn.ply"},
                                           {"shaft", "chain_drawing.json"},
                                           {"job", "chain_job.json"},

@@ -109,7 +109,6 @@ SampleContent makeChatter(std::uint64_t seed, const Progress& progress)
                {"recommended_rpm", 2154},
                {"recommended_for", "diameter 30 mm, 190 m/min, published relation"}}}});
     SamplePanel panel;
-    panel.inputs = {{"frf", "tip_response.uff"}};
     panel.parameters = {{"cutting_coefficient_N_mm2", 600.0},
                         {"speed_rpm", std::vector<Interval>{{1200, 4800}}},
                         {"operating_speed_rpm", 2016.0},
@@ -120,22 +119,13 @@ SampleContent makeChatter(std::uint64_t seed, const Progress& progress)
                         {"uncertainty_coefficient_percent", 5.0}};
     content.panels["lobes"] = std::move(panel);
     SamplePanel shaft_panel;
-    shaft_panel.inputs = {{"shaft", "shaft.json"}, {"spindle", "spindle.json"}};
     shaft_panel.parameters = {{"to_hz", 3000.0}};
     content.panels["shaft"] = std::move(shaft_panel);
-    SamplePanel drawing_panel;
-    drawing_panel.inputs = {{"shaft", "shaft.json"}};
-    drawing_panel.parameters = {{"date", std::string("2026-01-15")}};
-    content.panels["drawing"] = std::move(drawing_panel);
     SamplePanel spindle_panel;
     spindle_panel.inputs = {{"measurements", "tap_tests.json"}};
     spindle_panel.parameters = {{"smooth", true}, {"hold_out", std::int64_t{3}}, {"limit_percent", 5.0}};
     content.panels["spindle"] = std::move(spindle_panel);
-    SamplePanel response_panel;
-    response_panel.inputs = {{"frf", "tip_response.uff"}, {"shaft", "shaft.json"}, {"spindle", "spindle.json"}};
-    content.panels["frf"] = std::move(response_panel);
     SamplePanel pass_panel;
-    pass_panel.inputs = {{"shaft", "shaft.json"}, {"spindle", "spindle.json"}};
     pass_panel.parameters = {{"pass_z_mm", std::vector<Interval>{{0, 98}}},
                              {"pass_depth_mm", 0.4},
                              {"diameter_mm", 30.0},
@@ -148,7 +138,6 @@ SampleContent makeChatter(std::uint64_t seed, const Progress& progress)
     training_panel.parameters = {{"scenario", "slender"}, {"operating_speed_rpm", 2885.0}, {"operating_depth", 0.45}};
     content.panels["training"] = std::move(training_panel);
     SamplePanel speed_panel;
-    speed_panel.inputs = {{"spindle", "spindle.json"}, {"shaft", "shaft.json"}};
     speed_panel.parameters = {{"diameter_mm", 30.0},
                               {"cutting_speed_m_min", 190.0},
                               {"range_m_min", std::vector<Interval>{{120, 400}}},

@@ -76,10 +76,6 @@ SampleContent makeDeflection(std::uint64_t, const Progress& progress)
          {{"about", "Synthetic: programs, machines and stock were written for this sample."},
           {"case_a",
            {{"z_mm", {0, 50, 100, 200, 280}}, {"diameter_error_um", {61.304, 44.038, 36.550, 21.352, 10.457}}}}}}});
-    SamplePanel panel;
-    panel.inputs = {{"program", "stepped.nc"}, {"setup", "stepped_setup.json"}};
-    panel.parameters = {{"tolerance_um", 25.0}, {"cutting_speed_m_min", 180.0}};
-    content.panels["deflection"] = std::move(panel);
     progress.report(1);
     return content;
 }

@@ -68,7 +68,8 @@ std::vector<std::string> writeSample(const std::string& directory, std::uint64_t
     };
 
     project::Project project;
-    project.title = "Sample: a shaft and its copy; a record of a lathe's spindle";
+    project.title = "Sample: a worn shaft, its copy, and a record of the lathe's spindle";
+    project.name = "Shaft of the paper";
     Json truth{{"seed", seed}};
     const auto count = static_cast<double>(sampleParts().size());
     std::map<std::string, project::Source> sources;

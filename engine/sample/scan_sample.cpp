@@ -61,9 +61,6 @@ SampleContent makeScans(std::uint64_t seed, const Progress& progress)
                                                 {"copy", piecesOf(copiedShaft())},
                                                 {"pose_original_part_to_scan", rowsOf(original.scan_T_part)},
                                                 {"pose_copy_part_to_scan", rowsOf(copy.scan_T_part)}});
-    content.panels["compare"] = {.inputs = {{"reference", "original.ply"}, {"copy", "copy.ply"}},
-                                 .parameters = {{"tolerance_mm", 0.1}, {"scanner_accuracy_mm", 0.05}},
-                                 .in_report = true};
     return content;
 }
 

@@ -102,7 +102,6 @@ SampleContent makeTap(std::uint64_t seed, const Progress& progress)
                          {"stiffness_N_mm", mode.stiffness_N_mm}});
     content.truth = std::make_shared<Json>(
         Json{{"tap_record", {{"about", syntheticTap}, {"modes", std::move(modes)}, {"hits", 5}, {"double_hit", 4}}}});
-    content.panels["tap"] = {.inputs = {{"record", "tap_record.csv"}}, .parameters = {}};
     return content;
 }
 

@@ -56,7 +56,6 @@ SampleContent makeWorn(std::uint64_t seed, const Progress& progress)
                                                   {"segments", rows},
                                                   {"barrel_of_row_2_um", firstBearingBarrel_um},
                                                   {"taper_of_row_7_um", secondBearingTaper_um}}}});
-    content.panels["recognise"] = {.inputs = {{"scan", "worn.ply"}}, .parameters = {}};
     return content;
 }
 

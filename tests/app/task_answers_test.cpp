@@ -14,14 +14,20 @@
 #include "engine/deflection/deflection_task.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
+#include "engine/gcode/program_item.h"
+#include "engine/receptance/spindle/spindle_file.h"
+#include "engine/receptance/spindle/spindle_item.h"
 #include "engine/sample/sample.h"
 #include "engine/sample/sample_files.h"
 #include "engine/sample/sample_record.h"
+#include "engine/shaft/shaft_item.h"
 #include "engine/surface/synthetic.h"
 #include "engine/surface/task/surface_task.h"
 #include "engine/task/reply.h"
 #include "engine/trajectory/task/roundness_task.h"
 #include "engine/trajectory/task/trajectory_task.h"
+#include "engine/walk/shop_supply.h"
+#include "engine/walk/walk.h"
 #include "tests/engine/cam/plan_data.h"
 #include "tests/widgets/deflection/slender_files.h"
 
@@ -32,6 +38,7 @@ class TaskAnswersTest : public QObject {
 
     QTemporaryDir folder_;
     project::Project sample_;
+    std::unique_ptr<walk::Walk> walk_;
 
     static const PanelFacts& factsOf(const std::string& id)
     {
@@ -43,16 +50,42 @@ class TaskAnswersTest : public QObject {
     static Json ofPanel(const PanelFacts& facts, const project::PanelState& state)
     {
         Stores stores;
-        return Json::parse(facts.report(state, stores, {}, {}).results.front());
+        task::Sources sources;
+        return Json::parse(facts.report(state, stores, sources, {}, {}).results.front());
     }
 
-    /// Of the sample: what the command line can be given.
+    /// An item as the file that the command line is given.
+    static std::string textOf(const project::Item& item)
+    {
+        if (item.kind == shaftItem) return io::shaftText(*shaftOf(item.values));
+        if (item.kind == receptance::spindleItem)
+            return receptance::spindleText(*receptance::spindleOf(item.values));
+        if (item.kind == gcode::programItem) return gcode::programOf(item.values)->text;
+        return {};
+    }
+
+    /// Of the sample, with what the walk through its part fills in, as the command line can be given it.
     project::PanelState stateOf(const PanelFacts& facts) const
     {
-        project::PanelState state = project::resolved(sample_, facts.stateKey());
+        Notes notes;
+        project::PanelState state = walk_->place(facts.id) && walk_->canAnswer(facts.id)
+                                        ? walk_->complete(facts.id, notes, {})
+                                        : project::resolved(sample_, facts.stateKey());
         for (const task::Input& input : facts.task->inputs)
-            for (const std::string& key : project::keysOf(state, input.role))
-                if (!state.inputs.at(key).item.empty()) state.inputs.erase(key);
+            for (const std::string& key : project::keysOf(state, input.role)) {
+                project::Source& source = state.inputs.at(key);
+                if (source.item.empty()) continue;
+                const std::string text = textOf(state.items.at(key));
+                // An item brings the bar of its program, which a file does not.
+                const bool is_bent = state.items.at(key).kind == gcode::programItem && facts.id != "program";
+                if (text.empty() || is_bent) {
+                    state.inputs.erase(key);
+                    continue;
+                }
+                source.path = folder_.filePath(QString::fromStdString(facts.id + "_" + key)).toStdString();
+                source.item.clear();
+                io::writeFile(source.path, text);
+            }
         state.items.clear();
         return state;
     }
@@ -116,6 +149,8 @@ private slots:
     {
         const std::vector<std::string> files = sample::writeSample(folder_.path().toStdString());
         sample_ = project::readProject(files.back()).project;
+        walk_ = std::make_unique<walk::Walk>(sample_, placesOf(panelTable()), walk::supplyOf({}),
+                                             std::make_shared<Stores>());
     }
 
     void everyPanelOverATask_data()

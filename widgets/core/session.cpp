@@ -101,6 +101,14 @@ void Session::setWorkspace(const std::string& id)
     emit workspaceChanged();
 }
 
+void Session::setStartingShop(const Values& shop)
+{
+    startingShop_ = shop;
+    project::Project untouched;
+    untouched.workspace = project_.workspace;
+    if (path_.isEmpty() && project_ == untouched) project_.shop = shop;
+}
+
 void Session::showPart(std::size_t index)
 {
     if (index == project_.place || index > project_.others.size()) return;
@@ -159,6 +167,7 @@ void Session::reset()
 {
     project::Project empty;
     empty.workspace = project_.workspace;
+    empty.shop = startingShop_;
     replace({std::move(empty), {}}, {});
 }
 
@@ -244,6 +253,7 @@ std::shared_ptr<const walk::Walk> Session::walk() const
 project::Project Session::forDisk() const
 {
     project::Project project = project_;
+    if (project.shop.empty()) project.shop = startingShop_;
     for (project::Part* part : project::partsOf(project))
         for (auto& [id, panel] : part->panels)
             for (auto& [role, source] : panel.inputs)

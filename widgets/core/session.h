@@ -37,6 +37,10 @@ public:
     void setStartingValues(const Values& values) { starting_ = values; }
     const Values& startingValues() const { return starting_; }
 
+    /// The shop that new projects begin with, and that one which states none is saved with: elsewhere it would be made
+    /// with another one.
+    void setStartingShop(const Values& shop);
+
     /// Which workspace is open is kept with the project, but switching it is no undo step and no modification.
     void setWorkspace(const std::string& id);
 
@@ -118,6 +122,7 @@ private:
 
     project::Project project_;
     Values starting_;
+    Values startingShop_;
     QString path_;
     std::string sha256_;  ///< digest of the project file as opened or saved here
     bool withdrawing_ = false;

@@ -266,7 +266,7 @@ void add(Dossier& dossier, ChainStep step, const Json& result)
         lathelier::set(note.values, "step", step.id);
         dossier.notes.push_back(std::move(note));
     }
-    if (result.contains("understanding")) {
+    if (!step.understanding && result.contains("understanding")) {  // a reused step has what was recorded of it
         Json understanding = result["understanding"];
         for (Json& list : understanding)
             for (Json& entry : list) entry["step"] = step.id;

@@ -1,9 +1,8 @@
 // Inputs of a task that nobody gave, from the shop: jobs, set-ups, machines, and the control of the lathe.
 //
 // - job: from lathe, chuck, tools and material, and the tailstock where it holds the part; for the part.
-// - set-up: from chuck, tools and material, and the tailstock where it holds; for the job of the part, or, where a
-// stock
-//   is given, for that stock with the program's zero at its free end.
+// - set-up: from chuck, tools and material, and the tailstock where it holds; for the job of the part, or for a stock
+//   that is given, with the program's zero at its free end.
 // - spindle: from the chuck. Field `post`: from the lathe.
 //
 // Free is an input that is not given and in whose place nothing else is: another of Task::one_of, tools of the form of

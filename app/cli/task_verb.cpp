@@ -44,7 +44,7 @@ Operand operandOf(const task::Task& task, const task::Input& input)
 void runTask(const task::Task& task, const Request& request, const Progress& progress, Answer& answer)
 {
     task::Request asked{request.operands, request.parameters, {}, request.in_full};
-    const std::string shop = takeShopOption(asked.parameters);
+    const std::string shop = shop::takesShop(task) ? takeShopOption(asked.parameters) : std::string();
     if (!shop.empty()) asked.complete = completedFromShop(task, shop, request, progress);
     for (const auto& [option, path] : request.outputs) asked.exports[exportOf(option)] = path;
     const task::Reply found = task::reply(task, asked, progress);

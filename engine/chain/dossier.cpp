@@ -10,6 +10,7 @@
 #include "engine/io/file.h"
 #include "engine/io/json/json_document.h"
 #include "engine/report/result_json.h"
+#include "engine/shop/shop_codes.h"
 
 namespace lathelier::chain {
 namespace {
@@ -65,7 +66,8 @@ bool isAssumption(const Json& note)
 {
     if (!note.is_object() || !note.contains("code") || !note["code"].is_string()) return false;
     const std::string code = note["code"];
-    return code.find("assumed") != std::string::npos || code.find("guessed") != std::string::npos;
+    return code.find("assumed") != std::string::npos || code.find("guessed") != std::string::npos ||
+           code == notes::ofShop.key;
 }
 
 /// Notes of all steps, including steps reused from an earlier run.
@@ -264,7 +266,7 @@ void add(Dossier& dossier, ChainStep step, const Json& result)
         lathelier::set(note.values, "step", step.id);
         dossier.notes.push_back(std::move(note));
     }
-    if (result.contains("understanding")) {
+    if (!step.understanding && result.contains("understanding")) {  // a reused step has what was recorded of it
         Json understanding = result["understanding"];
         for (Json& list : understanding)
             for (Json& entry : list) entry["step"] = step.id;

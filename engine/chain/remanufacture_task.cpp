@@ -51,6 +51,22 @@ ChainQuestion questionOf(const project::PanelState& state)
     return question;
 }
 
+/// What reused steps assumed: their notes are those of the earlier run.
+void addAssumedEarlier(const Dossier& dossier, Understanding& understanding)
+{
+    for (const ChainStep& step : dossier.steps) {
+        if (!step.past_notes || !step.understanding || !step.understanding->contains("assumed")) continue;
+        for (const Json& one : (*step.understanding)["assumed"]) {
+            const auto wordOf = [&](const char* key) {
+                return one.contains(key) && one[key].is_string() ? one[key].get<std::string>() : std::string();
+            };
+            const bool has_line = one.contains("line") && one["line"].is_number_integer();
+            understanding.assumed.push_back(
+                {wordOf("what"), wordOf("value"), wordOf("path"), has_line ? one["line"].get<std::int64_t>() : 0});
+        }
+    }
+}
+
 task::Outcome outcomeOf(const std::shared_ptr<const Dossier>& dossier)
 {
     task::Outcome all;
@@ -63,6 +79,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const Dossier>& dossier)
     all.summary = [dossier](const Language&) { return report::Section{{}, {answer(*dossier), stepsTable(*dossier)}}; };
     all.report = [dossier](const Language&) { return dossierReport(*dossier); };
     Understanding understanding = lathelier::understandingOf(all.notes);
+    addAssumedEarlier(*dossier, understanding);
     return settled(remanufactureTask(), std::move(all), understanding);
 }
 

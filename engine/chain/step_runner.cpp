@@ -6,6 +6,7 @@
 
 #include "engine/chain/chain_codes.h"
 #include "engine/chain/earlier_files.h"
+#include "engine/core/understanding.h"
 #include "engine/core/version.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
@@ -301,6 +302,15 @@ void StepRunner::addNote(Note note)
     ChainStep& step = dossier_.steps.back();
     if (takenOver_ || step.state != StepState::Done) return;
     step.notes.push_back(note);
+    if (note.code.role == NoteRole::Assumed) {  // beside what the result of the step assumes
+        Json understanding = step.understanding ? *step.understanding : lathelier::toJson(Understanding{});
+        const Json of_note = lathelier::toJson(lathelier::understandingOf({note}));
+        for (Json entry : of_note["assumed"]) {
+            entry["step"] = step.id;
+            understanding["assumed"].push_back(std::move(entry));
+        }
+        step.understanding = std::make_shared<const Json>(std::move(understanding));
+    }
     set(note.values, "step", step.id);
     dossier_.notes.push_back(std::move(note));
 }

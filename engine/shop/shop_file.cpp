@@ -47,11 +47,19 @@ StatedShop readShop(const std::string& json, Notes& notes)
 {
     const io::JsonDocument document{json};
     const io::JsonCursor root = document.root();
-    if (!root.isObject()) root.reject(LT_TEXT("Engine", "an object with a choice or tables of a shop"));
+    const Text expected = LT_TEXT("Engine", "an object with a choice or tables of a shop");
+    if (!root.isObject()) root.reject(expected);
     StatedShop shop;
+    bool is_shop = false;
     root.members(io::mostJsonMembers, [&](const std::string& key, const io::JsonCursor& value) {
+        const bool is_known = key == choiceKey || isTable(key);
+        is_shop = is_shop || is_known;
         if (key == choiceKey) shop.choice = io::readFields<ShopChoice>(value, notes);
+        const io::JsonPlace place = value.place();
+        if (!is_known)
+            notes.push_back({notes::unknownKey, {{"key", key}, {"line", place.line}, {"column", place.column}}});
     });
+    if (!is_shop) root.reject(expected);
     shop.own = readLibrary(root, notes);
     shop.shop();  // throws for names that no table has
     return shop;

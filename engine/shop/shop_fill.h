@@ -1,12 +1,9 @@
 // Inputs of a task that nobody gave, from the shop: jobs, set-ups, machines, and the control of the lathe.
 //
-// | made       | of entries                                          | for                           |
-// | job        | lathe, chuck, tools, material, tailstock if it holds | the part                      |
-// | set-up     | chuck, tools, material, tailstock if it holds        | the job of that part, or, where a stock is
-// given,
-//                                                                      that stock with the program's zero at its end |
-// | spindle    | chuck                                               | any                           |
-// | field post | lathe                                               | any                           |
+// - job: from lathe, chuck, tools and material, and the tailstock where it holds the part; for the part.
+// - set-up: from chuck, tools and material, and the tailstock where it holds; for the job of the part, or for a stock
+//   that is given, with the program's zero at its free end.
+// - spindle: from the chuck. Field `post`: from the lathe.
 //
 // Free is an input that is not given and in whose place nothing else is: another of Task::one_of, tools of the form of
 // a job (cam::hasTools), another way to hold the work (the field "hold"). A spindle is not free where a set-up states

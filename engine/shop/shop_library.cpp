@@ -75,6 +75,12 @@ const std::vector<Field<ShopChoice>>& fieldsOf(const ShopChoice*)
     return all;
 }
 
+bool isTable(const std::string& key)
+{
+    const Table tables[] = {lathes, chucks, tailstocks, toolSets, materials};
+    return std::any_of(std::begin(tables), std::end(tables), [&](const Table& table) { return key == table.list; });
+}
+
 ShopLibrary readLibrary(const io::JsonCursor& object, Notes& notes)
 {
     ShopLibrary library;

@@ -46,6 +46,8 @@ const std::vector<BuiltInText>& builtInShop();  ///< resources/library/shop.json
 /// The library that is built in. Thread-safe; lives as long as the program.
 const ShopLibrary& shopLibrary();
 
+bool isTable(const std::string& key);  ///< key of one of the lists that readLibrary() reads
+
 /// Entries of an object with any of the lists lathes, chucks, tailstocks, tool_sets, materials, as own ones. Errors
 /// with line and column: malformed, keyMissing, keyOutOfRange, valueStatedTwice.
 ShopLibrary readLibrary(const io::JsonCursor& object, Notes& notes);

@@ -218,6 +218,7 @@ TEST(ShopFile, FaultsHaveTheirPlace)
     EXPECT_EQ(lineOf("{\n\"lathes\": [\n{\"key\": \"a\", \"max_rpm\": -5, \"source\": \"\"}]}"), 3);
     EXPECT_EQ(lineOf("{\n\"lathes\": [\n{\"key\": \"a\", \"source\": \"\"}]}"), 3);  // max_rpm is required
     EXPECT_EQ(lineOf("[]"), 1);
+    EXPECT_EQ(lineOf("{\"springs\": {\"radial_N_mm\": 14850}}"), 1);  // another kind of file
     EXPECT_EQ(lineOf("{\"choice\": {\"lathe\": 5}}"), 1);
     notes.clear();
     readShop("{\"choice\": {\"lathee\": \"small\"}}", notes);

@@ -135,7 +135,7 @@ const task::Task& shopTask()
         made.title = LT_TEXT("Engine", "Shop");
         made.summary =
             "Show lathes, chucks, tailstocks, tools and materials of a shop, and write what is chosen of them.";
-        made.workspace = "copy";
+        made.question = "machine";
         made.inputs = {
             task::optionalInput<ShopInput>(shopRole, "", LT_TEXT("Engine", "Shop"),
                                            LT_TEXT("Engine", "SHOP.json; without it the shop that is built in."))};

@@ -1,6 +1,7 @@
 #include "engine/cam/job_bodies.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "engine/cam/clampings.h"
 
@@ -103,6 +104,15 @@ Shaft heldPart(const Shaft& part, const Job& job)
         for (double* diameter : {&row.start_diameter_mm, &row.end_diameter_mm})
             *diameter = std::max(*diameter, leastBeamDiameter_mm);
     return body;
+}
+
+Interval usedSpeeds_rpm(const Job& job)
+{
+    const double slowest_m_min =
+        std::min(job.cutting.rough.cutting_speed_m_min, job.cutting.finish.cutting_speed_m_min);
+    const double fastest = job.max_rpm.value_or(assumedLimit_rpm);
+    const double slowest = 1000 * slowest_m_min / (std::numbers::pi * job.stock.diameter_mm);
+    return {std::min(slowest, fastest) / 2, fastest};
 }
 
 }  // namespace lathelier::cam

@@ -31,4 +31,7 @@ Shaft mirrored(const Shaft& part);
 /// last cylinder are not cut before parting off. Without bores and marks.
 Shaft heldPart(const Shaft& part, const Job& job);
 
+/// From half the slowest speed of the cutting data on the bar to the highest speed of the machine.
+Interval usedSpeeds_rpm(const Job& job);
+
 }  // namespace lathelier::cam

@@ -40,16 +40,6 @@ void setIfGiven(Values& values, const char* key, const std::optional<double>& va
     if (value) set(values, key, *value);
 }
 
-/// From half the slowest speed of the cutting data on the bar of the job to the highest speed of the machine.
-Interval usedSpeeds(const cam::Job& job)
-{
-    const double slowest_m_min =
-        std::min(job.cutting.rough.cutting_speed_m_min, job.cutting.finish.cutting_speed_m_min);
-    const double fastest = job.max_rpm.value_or(cam::assumedLimit_rpm);
-    const double slowest = 1000 * slowest_m_min / (std::numbers::pi * job.stock.diameter_mm);
-    return {std::min(slowest, fastest) / 2, fastest};
-}
-
 }  // namespace
 
 struct ChainSteps::Results {
@@ -161,7 +151,7 @@ void ChainSteps::planSpeeds()
         machine_.noteMachine();
     }
     StepRequest speeds = asked("speeds", {}, {{"shaft", held}, {"spindle", machine_.spindleFile()}});
-    if (machine_.job()) set(speeds.given, "speed_rpm", std::vector<Interval>{usedSpeeds(*machine_.job())});
+    if (machine_.job()) set(speeds.given, "speed_rpm", std::vector<Interval>{cam::usedSpeeds_rpm(*machine_.job())});
     results_->speeds = runner_.run(speeds, share(0.5, 0.55, LT_TEXT("Engine", "Stable depths and speeds")));
 }
 

@@ -99,7 +99,7 @@ report::Answer answer(const LobeResult& result, const Language& language)
     if (result.isRelative()) {
         answer.sentence =
             LT_TEXT("Engine",
-                    "Depths are multiples of it, for K_r is not given · chatter at {frequency} Hz · lobes in "
+                    "Depths are multiples of the least limit, for K_r is not given · chatter at {frequency} Hz · lobes in "
                     "the range: {lobes}");
         return answer;
     }

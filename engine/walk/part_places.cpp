@@ -54,10 +54,11 @@ Place placeOf(const char* id, const task::Task& task, std::vector<std::string> g
     return place;
 }
 
-/// On the part in its bar: that is what vibrates.
-Place held(Place place)
+/// On the part in its bar: that is what vibrates. `speeds`: the field of the speeds that are looked at.
+Place held(Place place, const char* speeds = "")
 {
     place.takes_held = true;
+    place.speeds = speeds;
     return place;
 }
 
@@ -86,8 +87,8 @@ std::vector<Place> partPlaces()
                          receptance::measurementsRole),
             placeOf("tap", receptance::tapTask(), {frfItem}),
             measuredOnly(placeOf("frf", receptance::modesTask(), {frfItem}), receptance::responseRole),
-            held(placeOf("lobes", lobes, {}, {stability::spindleRole})),
-            held(placeOf("pass", lobes, {}, {stability::shaftRole, stability::spindleRole})),
+            held(placeOf("lobes", lobes, {}, {stability::spindleRole}), "speed_rpm"),
+            held(placeOf("pass", lobes, {}, {stability::shaftRole, stability::spindleRole}), "speed_rpm"),
             held(placeOf("speed", stability::speedTask(), {}, {stability::spindleRole})),
             placeOf("turning", cam::turnTask(), {gcode::programItem}, {cam::jobRole, cam::spindleRole}),
             ofState(placeOf("program", deflection::toolpathTask()), "deflection"),

@@ -28,6 +28,7 @@ struct Place {
     /// Whether it gives them in this state; none: whenever it can be answered.
     std::function<bool(const project::PanelState&)> may_give;
     std::vector<std::string> fills;  ///< roles that are filled although the task can do without them
+    std::string speeds;              ///< key of the field that is filled with the speeds of that job; empty: none
     bool takes_held = false;         ///< a part is taken as it is held: with the rest of its bar, up to the chuck
 
     /// Missing inputs of a state; empty: it can be answered.

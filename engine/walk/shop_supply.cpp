@@ -44,7 +44,8 @@ Supply supplyOf(const shop::StatedShop& stated)
     };
     supply.held = [shop](const Shaft& part, const project::Project& project, Stores& stores, const Progress& progress,
                          Notes& notes) {
-        return cam::heldPart(part, jobFor(shop, part, project, stores, progress, notes));
+        const cam::Job job = jobFor(shop, part, project, stores, progress, notes);
+        return HeldPart{cam::heldPart(part, job), cam::usedSpeeds_rpm(job)};
     };
     return supply;
 }

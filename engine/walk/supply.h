@@ -9,6 +9,12 @@
 
 namespace lathelier::walk {
 
+/// A part as it is clamped, and the speeds that it is cut at.
+struct HeldPart {
+    Shaft body;
+    Interval speeds_rpm;
+};
+
 /// Of a shop (shop_supply.h).
 struct Supply {
     std::string digest;  ///< of all that it gives; equal: the same
@@ -23,7 +29,7 @@ struct Supply {
     std::function<void(project::PanelState&, const task::Task&, const Shaft* part, Notes&)> fill;
 
     /// The part with the rest of its bar, as the job of the project or of the supply clamps it. Errors of the job.
-    std::function<Shaft(const Shaft& part, const project::Project&, Stores&, const Progress&, Notes&)> held;
+    std::function<HeldPart(const Shaft& part, const project::Project&, Stores&, const Progress&, Notes&)> held;
 };
 
 }  // namespace lathelier::walk

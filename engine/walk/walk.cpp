@@ -250,8 +250,12 @@ project::PanelState Walk::complete(const std::string& id, Notes& notes, const Pr
         const std::string kind = state.items.at(role).kind;
         auto [item, is_synthetic] = give(*giver, kind, notes, progress);
         if (there->takes_held && kind == shaftItem)
-            if (const auto part = shaftOf(item.values))
-                item.values = toValues(supply_.held(*part, project_, *stores_, progress, notes));
+            if (const auto part = shaftOf(item.values)) {
+                const HeldPart held = supply_.held(*part, project_, *stores_, progress, notes);
+                item.values = toValues(held.body);
+                if (!there->speeds.empty() && !find(state.parameters, there->speeds))
+                    set(state.parameters, there->speeds, std::vector<Interval>{held.speeds_rpm});
+            }
         item.origin.state_sha256 = state.items.at(role).origin.state_sha256;
         state.items[role] = std::move(item);
         state.inputs[role].synthetic = is_synthetic;

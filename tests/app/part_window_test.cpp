@@ -63,7 +63,6 @@ private slots:
             QTRY_VERIFY2_WITH_TIMEOUT(isAnswered(question), qPrintable(QString(question) + box(question).tooltip),
                                       patience_ms);
         QVERIFY(!box("scan").text.isEmpty());
-        QVERIFY(!box("drawing").assumed);
         QVERIFY(box("program").assumed);  // bar, chuck and tools of the built-in shop
         QVERIFY(box("program").verdict.has_value());
         QCOMPARE(box("copy").state, QuestionAnswer::State::Empty);  // there is no copy yet

@@ -240,6 +240,12 @@ report::Answer answer(const LobesOutcome& outcome, const Language& language)
     if (outcome.pass) return passAnswer(*outcome.pass, outcome.safe, language);
     const LobeResult& lobes = *outcome.lobes;
     report::Answer told = outcome.is_judged ? pointAnswer(outcome, language) : answer(lobes, language);
+    if (!outcome.is_judged && outcome.safe.best.limit && lobes.isRelative()) {
+        told.quantity = LT_TEXT("Engine", "Speed of the deepest stable cut");
+        told.value = outcome.safe.best.speed_rpm;
+        told.unit = unit::rpm;
+        told.decimals = 0;
+    }
     if (!outcome.is_judged && outcome.safe.best.limit)
         told.findings.push_back({lobes.isRelative()
                                      ? LT_TEXT("Engine", "The most is {limit:3} × at {speed:0} 1/min")

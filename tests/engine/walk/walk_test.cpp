@@ -30,7 +30,7 @@ sample::ShaftModel shapeNamed(const std::string& name)
         return {piece(0, 25, 25, 25), piece(25, 29, 22, 22), piece(29, 60, 32, 32), piece(60, 80, 45, 45)};
     if (name == "stub") return {piece(0, 12, 40, 40), piece(12, 30, 60, 60)};
     if (name == "slender") return {piece(0, 60, 16, 16), piece(60, 140, 20, 20), piece(140, 180, 24, 24)};
-    return {piece(0, 400, 20, 20), piece(400, 1100, 30, 30)};  // "long"
+    return {piece(0, 400, 40, 40), piece(400, 1100, 50, 50)};  // "long"
 }
 
 class WalkTest : public testing::Test {
@@ -41,7 +41,7 @@ protected:
         std::ofstream file(path);
         file.precision(9);
         sample::ScannerModel scanner = features::askew(7, 0.01);
-        if (shape == "long") scanner.row_pitch_mm = 0.5;
+        if (shape == "long") scanner.row_pitch_mm = 0.25;
         for (const auto& point : sample::scanShaft(shapeNamed(shape), scanner).points_mm)
             file << point.x() << ' ' << point.y() << ' ' << point.z() << '\n';
         return path;

@@ -6,6 +6,7 @@
 
 #include "app/gui/command_palette.h"
 #include "app/gui/panels.h"
+#include "app/gui/theme.h"
 #include "engine/sample/sample_files.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/core/panel/answer_strip.h"
@@ -37,7 +38,7 @@ class ChromeTest : public QObject, private WindowFixture {
         QTRY_VERIFY_WITH_TIMEOUT(panel.madePanel() && !panel.madePanel()->isBusy(), 180000);
         QTest::qWait(50);
     }
-    /// Of what a panel shows first: the highest frame of a view.
+    /// Of what a panel shows first: the highest frame of a view, its caption included.
     int topOfViews(const PanelDock& panel) const
     {
         int top = window_->height();
@@ -50,6 +51,7 @@ private slots:
     void initTestCase()
     {
         prepareSettings();
+        new Theme(*qApp);  // its style is part of what is measured
         sample::writeSample(folder_.path().toStdString());
         project_ = folder_.path().toStdString() + "/" + sample::sampleFileNames().back();
     }

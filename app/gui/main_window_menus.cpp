@@ -19,7 +19,7 @@ namespace lathelier {
 namespace {
 
 constexpr int toolGap_px = 6;  // between the tools in the row of the menus
-constexpr int barGap_px = 2;   // over and under the questions
+constexpr int barGap_px = 1;   // over and under the questions
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include "tests/app/window_fixture.h"
 #include "widgets/core/panel/answer_strip.h"
 #include "widgets/core/panel/view_frame.h"
+#include "widgets/core/task/progress_row.h"
 
 namespace lathelier {
 
@@ -38,10 +39,13 @@ class ChromeTest : public QObject, private WindowFixture {
         QTRY_VERIFY_WITH_TIMEOUT(panel.madePanel() && !panel.madePanel()->isBusy(), 180000);
         QTest::qWait(50);
     }
-    /// Of what a panel shows first: the highest frame of a view, its caption included.
+    /// Of what a panel shows first: the highest frame of a view, its caption included; without a result the empty
+    /// state.
     int topOfViews(const PanelDock& panel) const
     {
         int top = window_->height();
+        const auto* empty = panel.findChild<EmptyState*>();
+        if (empty && empty->isVisible()) return empty->mapTo(window_.get(), QPoint(0, 0)).y();
         for (const ViewFrame* frame : panel.findChildren<ViewFrame*>())
             if (frame->isVisible()) top = std::min(top, frame->view()->mapTo(window_.get(), QPoint(0, 0)).y());
         return top;
@@ -107,7 +111,8 @@ private slots:
         };
         for (const PanelDock* panel : window_->docks()) {
             CommandPalette* palette = list("panels " + panel->windowTitle());
-            QVERIFY2(palette->findChild<QListWidget*>()->item(0)->text().endsWith(panel->windowTitle()),
+            const QString end = QString::fromUtf8("› ") + panel->windowTitle();
+            QVERIFY2(!palette->findChild<QListWidget*>()->findItems(end, Qt::MatchEndsWith).isEmpty(),
                      panel->facts().id.c_str());
             palette->reject();
             QTRY_VERIFY(!window_->findChild<CommandPalette*>("commandPalette"));

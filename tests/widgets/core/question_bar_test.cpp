@@ -1,4 +1,5 @@
 // The bar of questions: widths, states without colour, keys; the short answers of its boxes.
+#include <QApplication>
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
@@ -38,7 +39,13 @@ class QuestionBarTest : public QObject {
     }
 
 private slots:
-    void initTestCase() { useResources(); }
+    void initTestCase()
+    {
+        useResources();
+        QFont usual = QApplication::font();
+        usual.setPointSizeF(9.75);  // 13 pixels, as on a desktop
+        QApplication::setFont(usual);
+    }
     void cleanup() { languages_.use("en"); }
 
     void namesAreWholeAt1280_data()

@@ -84,8 +84,8 @@ QWidget* PanelBase::makeResultColumn()
 
     auto* column = new QWidget;
     auto* layout = new QVBoxLayout(column);
-    layout->setSpacing(8);
-    layout->setContentsMargins(8, 3, 8, 3);  // height is the views'
+    layout->setSpacing(6);
+    layout->setContentsMargins(8, 2, 8, 2);  // height is the views'
     layout->addWidget(answer_);
     layout->addWidget(message_);
     layout->addWidget(nextPart_);

@@ -231,6 +231,7 @@ void MainWindow::setPresenting(bool presenting)
     QApplication::setFont(font);
     for (PanelDock* dock : docks_) {
         if (presenting && dock != activeDock()) dock->hide();
+        if (presenting && dock == activeDock()) dock->setFloating(false);
         if (dock->madePanel()) dock->madePanel()->setPresenting(presenting);
     }
     for (QDockWidget* side : {logDock_, dataDock_}) side->setVisible(!presenting && side->isVisible());

@@ -114,7 +114,6 @@ private:
     std::map<QString, QMenu*> menus_;
     QToolBar* bar_ = nullptr;  ///< of the questions
     QuestionBar* questionBar_ = nullptr;
-    QToolBar* tools_ = nullptr;  ///< in the row of the menus
     EmptyPlace* emptyPlace_ = nullptr;
     QLabel* status_ = nullptr;
     QToolButton* openSaved_ = nullptr;  ///< beside a message that a report was saved

@@ -1,7 +1,9 @@
 // The window's actions, menus and bars, and their words.
 #include <QActionGroup>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QLayout>
 #include <QLocale>
 #include <QMenuBar>
 #include <QToolBar>
@@ -14,6 +16,12 @@
 #include "widgets/core/icons.h"
 
 namespace lathelier {
+namespace {
+
+constexpr int toolGap_px = 6;  // between the tools in the row of the menus
+constexpr int barGap_px = 1;   // over and under the questions
+
+}  // namespace
 
 QAction* MainWindow::action(const QString& name) const
 {
@@ -140,6 +148,8 @@ void MainWindow::makeQuestionBar()
     bar_ = addToolBar(QString());
     bar_->setObjectName("questionBar");
     bar_->setMovable(false);
+    bar_->setContentsMargins(0, 0, 0, 0);
+    bar_->layout()->setContentsMargins(0, barGap_px, 0, barGap_px);
     bar_->toggleViewAction()->setVisible(false);
     questionBar_ = new QuestionBar(questions_);
     bar_->addWidget(questionBar_);
@@ -163,15 +173,22 @@ void MainWindow::makeQuestionBar()
 /// At the end of the row of the menus, where they take no height.
 void MainWindow::makeTools()
 {
-    tools_ = new QToolBar;
-    tools_->setObjectName("tools");
+    auto* tools = new QWidget;
+    tools->setObjectName("tools");
+    auto* row = new QHBoxLayout(tools);
+    row->setContentsMargins(0, 0, toolGap_px, 0);
+    row->setSpacing(toolGap_px);
     const int side = fontMetrics().height();
-    tools_->setIconSize(QSize(side, side));
-    tools_->setContentsMargins(0, 0, 0, 0);
-    for (const char* name : {"open", "save", "undo", "redo", "presenter", "palette", "help"})
-        tools_->addAction(action(name));
+    for (const char* name : {"open", "save", "undo", "redo", "presenter", "palette", "help"}) {
+        auto* button = new QToolButton;
+        button->setObjectName(QString("tool_") + name);
+        button->setDefaultAction(action(name));
+        button->setAutoRaise(true);
+        button->setIconSize(QSize(side, side));
+        row->addWidget(button);
+    }
     menuBar()->setNativeMenuBar(false);  // one of the desktop shows no tools
-    menuBar()->setCornerWidget(tools_, Qt::TopRightCorner);
+    menuBar()->setCornerWidget(tools, Qt::TopRightCorner);
 }
 
 void MainWindow::fillRecent()

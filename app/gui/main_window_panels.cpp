@@ -9,6 +9,11 @@
 #include "widgets/core/language.h"
 
 namespace lathelier {
+namespace {
+
+constexpr int computingAfter_ms = 200;
+
+}
 
 void MainWindow::makeDocks(const std::vector<PanelFacts>& panels)
 {
@@ -53,7 +58,12 @@ void MainWindow::panelMade(PanelDock* dock, PanelBase* panel)
             [this, dock](const QString& suffix) { writeReport({dock}, suffix); });
     const auto say = [this, id = dock->facts().question.id] { answerQuestion(id); };
     connect(panel, &PanelBase::resultShown, this, say);
-    connect(panel, &PanelBase::busyChanged, this, say);
+    connect(panel, &PanelBase::busyChanged, this, [this, say](bool busy) {
+        if (busy)
+            QTimer::singleShot(computingAfter_ms, this, say);  // a quick one does not flicker
+        else
+            say();
+    });
     say();
 }
 

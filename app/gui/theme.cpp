@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDBusConnection>
 #include <QDBusMessage>
+#include <QMainWindow>
 #include <QPalette>
 #include <QProxyStyle>
 #include <QStyleFactory>
@@ -59,10 +60,20 @@ void withDisabled(QPalette& palette)
     }
 }
 
+constexpr int dockTabSpace_px = 4;  // over and under the words
+
 /// Fusion without the dots on what separates docks (they are found by the pointer), and with check boxes that are seen.
 class CalmStyle : public QProxyStyle {
 public:
     CalmStyle() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+
+    int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override
+    {
+        // The tabs of the docks are low: they take height from every view.
+        if (metric == PM_TabBarTabVSpace && widget && qobject_cast<const QMainWindow*>(widget->parentWidget()))
+            return dockTabSpace_px;
+        return QProxyStyle::pixelMetric(metric, option, widget);
+    }
 
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override

@@ -6,10 +6,12 @@
 
 #include "app/gui/command_palette.h"
 #include "app/gui/panels.h"
+#include "app/gui/theme.h"
 #include "engine/sample/sample_files.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/core/panel/answer_strip.h"
 #include "widgets/core/panel/view_frame.h"
+#include "widgets/core/task/progress_row.h"
 
 namespace lathelier {
 
@@ -37,10 +39,13 @@ class ChromeTest : public QObject, private WindowFixture {
         QTRY_VERIFY_WITH_TIMEOUT(panel.madePanel() && !panel.madePanel()->isBusy(), 180000);
         QTest::qWait(50);
     }
-    /// Of what a panel shows first: the highest frame of a view.
+    /// Of what a panel shows first: the highest frame of a view, its caption included; without a result the empty
+    /// state.
     int topOfViews(const PanelDock& panel) const
     {
         int top = window_->height();
+        const auto* empty = panel.findChild<EmptyState*>();
+        if (empty && empty->isVisible()) return empty->mapTo(window_.get(), QPoint(0, 0)).y();
         for (const ViewFrame* frame : panel.findChildren<ViewFrame*>())
             if (frame->isVisible()) top = std::min(top, frame->view()->mapTo(window_.get(), QPoint(0, 0)).y());
         return top;
@@ -50,6 +55,7 @@ private slots:
     void initTestCase()
     {
         prepareSettings();
+        new Theme(*qApp);  // its style is part of what is measured
         sample::writeSample(folder_.path().toStdString());
         project_ = folder_.path().toStdString() + "/" + sample::sampleFileNames().back();
     }
@@ -105,7 +111,8 @@ private slots:
         };
         for (const PanelDock* panel : window_->docks()) {
             CommandPalette* palette = list("panels " + panel->windowTitle());
-            QVERIFY2(palette->findChild<QListWidget*>()->item(0)->text().endsWith(panel->windowTitle()),
+            const QString end = QString::fromUtf8("› ") + panel->windowTitle();
+            QVERIFY2(!palette->findChild<QListWidget*>()->findItems(end, Qt::MatchEndsWith).isEmpty(),
                      panel->facts().id.c_str());
             palette->reject();
             QTRY_VERIFY(!window_->findChild<CommandPalette*>("commandPalette"));

@@ -35,7 +35,7 @@ class CopyChainTest : public QObject, private WindowFixture {
     QString file(const char* name) const { return folder_.filePath(name); }
     std::string out() const { return folder_.filePath("chain").toStdString(); }
     ChainRunRow& row() const { return panel().runRow(); }
-    CopyTable& steps() const { return *panel().views().steps(); }
+    CopyTable& stepTable() const { return *panel().views().steps(); }
     const chain_panel::ChainPanel& panel() const
     {
         return static_cast<const chain_panel::ChainPanel&>(dock("chain")->panel());
@@ -160,11 +160,11 @@ private slots:
         QVERIFY(window_->questionBar().box("proof")->answer().state == QuestionAnswer::State::Answered);
         // Signs of the steps, and files and digests in the tooltips of their table.
         const chain::ChainStep& recognise = *row().looked()->step("recognise");
-        const QString about = steps().item(rowOf("recognise"), 0)->toolTip();
+        const QString about = stepTable().item(rowOf("recognise"), 0)->toolTip();
         QVERIFY(about.contains("chain_worn.ply"));
         QVERIFY(about.contains(QString::fromStdString(recognise.inputs.front().sha256.substr(0, 12))));
-        QVERIFY(steps().item(rowOf("program"), 1)->text().startsWith(QString::fromUtf8("✗ ")));
-        QVERIFY(steps().item(rowOf("recognise"), 1)->text().startsWith(QString::fromUtf8("✓ ")));
+        QVERIFY(stepTable().item(rowOf("program"), 1)->text().startsWith(QString::fromUtf8("✗ ")));
+        QVERIFY(stepTable().item(rowOf("recognise"), 1)->text().startsWith(QString::fromUtf8("✓ ")));
         // Items of the project, and panels of the steps that had nothing.
         const project::Project& project = session_->project();
         QCOMPARE(project.items.size(), std::size_t{1});
@@ -195,7 +195,7 @@ private slots:
         runAll();
         const int steps = session_->undoStack().count();
         QTRY_VERIFY_WITH_TIMEOUT(panel().isCurrent(), 60000);
-        emit this->steps().cellActivated(rowOf("program"), 0);
+        emit stepTable().cellActivated(rowOf("program"), 0);
         QVERIFY(window_->activeDock() == dock("turning"));
         QCOMPARE(session_->undoStack().count(), steps + 1);
         const project::PanelState turning = session_->project().panels.at("turning");
@@ -203,7 +203,7 @@ private slots:
         QVERIFY(turning.inputs.at("job").path.find("chain_job.json") != std::string::npos);
         window_->enterQuestion("proof");
         settle();
-        emit this->steps().cellActivated(rowOf("deflection"), 0);
+        emit stepTable().cellActivated(rowOf("deflection"), 0);
         const project::PanelState deflection = session_->project().panels.at("deflection");
         QVERIFY(deflection.inputs.at("program").path.starts_with(out() + "/program"));
         QVERIFY(find(deflection.parameters, "band"));

@@ -87,8 +87,8 @@ ChainRunRow::ChainRunRow(Session& session, QWidget* parent)
     setObjectName("chainRunRow");
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(4, 2, 4, 2);
-    row->setSpacing(4);
+    row->setContentsMargins(9, 2, 9, 0);
+    row->setSpacing(9);
     start_->setObjectName("runChainWanted");
     cancel_->setObjectName("cancelChain");
     phase_->setObjectName("chainPhase");

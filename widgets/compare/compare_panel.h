@@ -1,4 +1,4 @@
-// The panel of workspace Inspection: deviation of the copy from the original, its location and uncertainty.
+// The panel of the question Copy: deviation of the copy from the original, its location and uncertainty.
 #pragma once
 
 #include "engine/cad/task/compare_task.h"

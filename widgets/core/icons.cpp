@@ -29,9 +29,17 @@ public:
         QByteArray svg = file.readAll();
         const QColor colour = palette.color(group, role);
         svg.replace("currentColor", colour.name().toLatin1());
+        QSvgRenderer renderer(svg);
+        if (colour.alpha() == 255) return renderer.render(painter, QRectF(rect));
+        // Disabled colours of the theme are fainter by their opacity alone: of the whole picture, not of each stroke.
+        QPixmap whole(rect.size());
+        whole.fill(Qt::transparent);
+        QPainter once(&whole);
+        renderer.render(&once);
+        once.end();
         painter->save();
-        painter->setOpacity(colour.alphaF());  // disabled colours of the theme differ by their opacity alone
-        QSvgRenderer(svg).render(painter, QRectF(rect));
+        painter->setOpacity(colour.alphaF());
+        painter->drawPixmap(rect, whole);
         painter->restore();
     }
 

@@ -1,4 +1,4 @@
-// Common base of the panels of the workspace Deflection: programs with set-ups as inputs of a task.
+// Common base of the panels of the question Deflection: programs with set-ups as inputs of a task.
 #pragma once
 
 #include "engine/deflection/deflection_task.h"
@@ -7,7 +7,7 @@
 
 namespace lathelier::deflection_common {
 
-/// Facts common to the panels: they share a state and a workspace, and open by programs and set-ups.
+/// Facts common to the panels: they share a state and a question, and open by programs and set-ups.
 PanelFacts turningFacts(PanelFacts facts);
 
 /// Reads the facts of the program where it is a file; a file that is refused has none.

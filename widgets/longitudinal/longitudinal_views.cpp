@@ -208,7 +208,7 @@ std::vector<report::Picture> LongitudinalViews::pictures()
 
 void LongitudinalViews::retranslate()
 {
-    formOnly_->setText(tr("form of each section only"));
+    formOnly_->setText(tr("form only"));
     formOnly_->setToolTip(tr("Take out where each section lies and how large it is: what is left is its roundness"));
     magnificationLabel_->setText(tr("Error ×"));
     magnification_->setToolTip(tr("How many times larger the surface draws the deviation"));

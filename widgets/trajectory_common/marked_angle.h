@@ -1,4 +1,4 @@
-// The angle that all views of the workspace Roundness mark.
+// The angle that all views of Roundness mark.
 #pragma once
 
 #include <QObject>

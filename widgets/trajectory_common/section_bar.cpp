@@ -98,7 +98,7 @@ void SectionBar::retranslate()
     };
     name(before_, tr("The section before"));
     name(after_, tr("The next section"));
-    name(box_, tr("The section that all panels of this workspace show"));
+    name(box_, tr("The section that all panels of Roundness show"));
     worst_->setText(tr("worst"));
     name(worst_, tr("Always the section with the largest roundness deviation"));
     fill();

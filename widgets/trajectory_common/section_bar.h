@@ -1,4 +1,4 @@
-// Selection of the section of a record and of the marked angle, common to the panels of the workspace.
+// Selection of the section of a record and of the marked angle, common to the panels of Roundness.
 #pragma once
 
 #include <QComboBox>

@@ -1,4 +1,4 @@
-// Common base of the three panels of the workspace Roundness: their state, the files dropped on them, one chosen
+// Common base of the three panels of Roundness: their state, the files dropped on them, one chosen
 // section and one marked angle.
 #pragma once
 
@@ -28,13 +28,13 @@ QString chooseSectionStep(std::optional<int> section);
 
 bool isSectionChosen(const project::PanelState& state);
 
-/// R: the typed outcome of a task of the workspace.
+/// R: the typed outcome of a task of Roundness.
 template <class R>
 class SpindlePanel : public TaskPanel<R> {
 public:
     using TaskPanel<R>::TaskPanel;
 
-    /// The section with this number for all panels of the workspace; none: the worst one. One undo step for a row of
+    /// The section with this number for all panels of Roundness; none: the worst one. One undo step for a row of
     /// such choices.
     void chooseSection(std::optional<int> section)
     {

@@ -41,7 +41,10 @@ class FakePanel : public Panel<FakeResult> {
 public:
     /// `state`: key of a state that it shares with other panels; empty: its own.
     explicit FakePanel(Session& owner, const std::string& id = "fake", const std::string& state = {})
-        : Panel(owner, sharing(factsOf(id), state), inputs()), views_(new QLabel)
+        : FakePanel(owner, sharing(factsOf(id), state))
+    {
+    }
+    FakePanel(Session& owner, const PanelFacts& facts) : Panel(owner, facts, inputs()), views_(new QLabel)
     {
         setViews(views_);
     }
@@ -54,8 +57,10 @@ public:
             Text{title},
             "compare",
             questionOf(question),
-            [id](Session& owner) { return new FakePanel(owner, id); },
-            [](const project::PanelState&, Stores&, task::Sources&, const Language&, const Progress&) { return report::Document{}; }};
+            [=](Session& owner) { return new FakePanel(owner, factsOf(id, question, title)); },
+            [](const project::PanelState&, Stores&, task::Sources&, const Language&, const Progress&) {
+                return report::Document{};
+            }};
     }
 
     QString shown() const { return views_->text(); }

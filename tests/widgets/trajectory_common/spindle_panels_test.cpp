@@ -1,4 +1,4 @@
-// The three panels of workspace Roundness driven as a user would: drop, choose, click, type, cancel, undo, export.
+// The three panels under Roundness driven as a user would: drop, choose, click, type, cancel, undo, export.
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>

@@ -85,7 +85,8 @@ QWidget* PanelBase::makeResultColumn()
 
     auto* column = new QWidget;
     auto* layout = new QVBoxLayout(column);
-    layout->setSpacing(8);
+    layout->setSpacing(6);
+    layout->setContentsMargins(8, 2, 8, 2);  // height is the views'
     layout->addWidget(answer_);
     layout->addWidget(message_);
     layout->addWidget(nextPart_);

@@ -10,7 +10,7 @@
 namespace lathelier {
 namespace {
 
-constexpr int margin_px = 3;   // around the boxes
+constexpr int margin_px = 3;   // left and right of the boxes
 constexpr int spacing_px = 3;  // between two
 constexpr int apart_px = 14;   // between the chain and what stands beside it
 
@@ -65,7 +65,7 @@ void QuestionBar::setCurrent(const std::string& question)
 QSize QuestionBar::sizeHint() const
 {
     const int height = boxes_.empty() ? 0 : boxes_.front()->sizeHint().height();
-    return {static_cast<int>(boxes_.size()) * 110, height + 2 * margin_px};
+    return {static_cast<int>(boxes_.size()) * 110, height};
 }
 
 QSize QuestionBar::minimumSizeHint() const
@@ -108,7 +108,7 @@ void QuestionBar::arrange()
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
         if (i > 0 && questions_[i].beside && !questions_[i - 1].beside) left += apart_px;
         boxes_[i]->setCompact(all[i] < boxes_[i]->neededWidth());
-        boxes_[i]->setGeometry(left, margin_px, all[i], height() - 2 * margin_px);
+        boxes_[i]->setGeometry(left, 0, all[i], height());
         left += all[i] + spacing_px;
     }
 }

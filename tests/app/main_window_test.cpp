@@ -137,7 +137,7 @@ private slots:
         QVERIFY(window_->activeDock()->panel().isCurrent());
         auto* log = window_->findChild<QDockWidget*>("dock_messages");
         QVERIFY(log->isVisible());
-        QVERIFY2(window_->messages().plainText().contains("a.odd"), qPrintable(window_->messages().text()));
+        QVERIFY2(window_->messages().plainText().contains("a.odd"), qPrintable(window_->messages().plainText()));
         QVERIFY(window_->messages().plainText().contains("does not exist"));
     }
 

@@ -41,6 +41,7 @@ class PartsTest : public QObject, private WindowFixture {
         editor->selectAll();
         QTest::keyClicks(editor, name);
         QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY(!list()->findChild<QLineEdit*>());  // taken over, queued
     }
     /// Runs an entry of the menu that the next right click opens.
     void chooseInMenu(int row, const QString& entry)
@@ -161,7 +162,7 @@ private slots:
                 if (session.panel(one->facts().stateKey()).inputs.empty())
                     QVERIFY2(!document || document->inputs.empty(), one->facts().id.c_str());
                 if (!document) continue;
-                for (const report::InputFile& input : document->inputs)
+                for (const auto& input : document->inputs)
                     QVERIFY2(names.count(input.path) > 0, (one->facts().id + ": " + input.path).c_str());
             }
         };

@@ -29,7 +29,7 @@ PanelInputs panelInputs()
         true,
         LT_TEXT("Engine", "Drop an NC program and a set-up (SETUP.json) here: the error along the work follows."));
     foldAllBut(inputs, {"tolerance_um", "changed_machine", "changed_material", "changed_insert",
-                        "changed_tailstock_N_mm", "cutting_speed_m_min", "measured"});
+                        "changed_tailstock_N_mm", "cutting_speed_m_min"});
     for (const auto& [key, value] : begins_with) set(inputs.defaults, key, value);
     return inputs;
 }

@@ -25,8 +25,7 @@ PanelInputs panelInputs()
                  LT_TEXT("Engine", "Drop a shaft here (SHAFT.json, stock text), or state its segments."));
     for (const FieldInfo& info : receptance::shaftTask().fields)
         if (info.key != task::segmentsOfKey) inputs.fields.push_back(info);
-    foldAllBut(inputs,
-               {task::segmentsKey, "library_material", "hold", "tailstock", "rest", "respond_z_mm", "excite_z_mm"});
+    foldAllBut(inputs, {task::segmentsKey, "library_material", "hold", "respond_z_mm", "excite_z_mm"});
     inputs.roles.front().takes_next = true;
     return inputs;
 }

@@ -107,7 +107,10 @@ void PanelBase::openFiles(const QStringList& paths)
     if (paths.isEmpty()) return;
     finder_.find(paths, [this](const std::vector<FoundFile>& files) {
         const std::vector<FoundFile> taken = withoutRefused(files, acceptedKinds());
-        if (!taken.empty()) openFound(taken);
+        const std::optional<Error> refused = refusal_;
+        if (!taken.empty()) openFound(taken);  // a new state, which has no refusal
+        refusal_ = refused;
+        showAnswer();
     });
 }
 
@@ -126,8 +129,11 @@ void PanelBase::takeFiles(const InputRole& role, const QStringList& paths)
         for (const FoundFile& file : withoutRefused(files, role.kinds))
             sources.push_back(newSource(QString::fromStdString(file.path)));
         if (sources.empty()) return;
+        const std::optional<Error> refused = refusal_;
         takePlaces(tr("Open %1").arg(screenFileName(QString::fromStdString(sources.front().path))),
                    [&](project::PanelState& state) { setSources(state, role, sources); });
+        refusal_ = refused;
+        showAnswer();
     };
     finder_.find(paths, take, role.kinds);
 }
@@ -136,6 +142,7 @@ void PanelBase::takeFiles(const InputRole& role, const QStringList& paths)
 std::vector<FoundFile> PanelBase::withoutRefused(const std::vector<FoundFile>& files, const io::FileKinds& kinds)
 {
     std::vector<FoundFile> taken;
+    refusal_.reset();
     for (const FoundFile& file : files) {
         const std::optional<Error> refusal = refusalOf(file, kinds);
         if (!refusal) {

@@ -4,10 +4,10 @@
 <context>
     <name>lathelier::Form</name>
     <message numerus="yes">
-        <source>Advanced (%n assumed)</source>
+        <source>More (%n assumed)</source>
         <translation>
-            <numerusform>Advanced (%n assumed)</numerusform>
-            <numerusform>Advanced (%n assumed)</numerusform>
+            <numerusform>More (%n assumed)</numerusform>
+            <numerusform>More (%n assumed)</numerusform>
         </translation>
     </message>
 </context>
@@ -39,7 +39,7 @@
     </message>
 </context>
 <context>
-    <name>lathelier::chain_panel::ChainStrip</name>
+    <name>lathelier::chain_panel::ChainRunRow</name>
     <message numerus="yes">
         <source>Run %n step(s)…</source>
         <translation>

@@ -1148,10 +1148,6 @@
         <translation>Projekt nie ma nic do raportu.</translation>
     </message>
     <message>
-        <source>Inspection</source>
-        <translation>Kontrola</translation>
-    </message>
-    <message>
         <source>Roundness</source>
         <translation>Okrągłość</translation>
     </message>
@@ -5120,10 +5116,6 @@
         <translation>Nic nie drga: część rzeczywista nigdzie nie jest ujemna.</translation>
     </message>
     <message>
-        <source>Depths are multiples of it, for K_r is not given · chatter at {frequency} Hz · lobes in the range: {lobes}</source>
-        <translation>Głębokości są jej wielokrotnościami, bo nie podano K_r · drgania przy {frequency} Hz · worki w zakresie: {lobes}</translation>
-    </message>
-    <message>
         <source>Chatter at {frequency} Hz · lobes in the range: {lobes}</source>
         <translation>Drgania przy {frequency} Hz · worki w zakresie: {lobes}</translation>
     </message>
@@ -5162,10 +5154,6 @@
     <message>
         <source>Drop a frequency response here, or state the modes of the point that is cut.</source>
         <translation>Upuść tu charakterystykę częstotliwościową albo podaj postacie skrawanego punktu.</translation>
-    </message>
-    <message>
-        <source>Chatter</source>
-        <translation>Drgania</translation>
     </message>
     <message>
         <source>Finding lobes</source>
@@ -9112,10 +9100,6 @@
         <translation>Pliku, jaki odczytano.</translation>
     </message>
     <message>
-        <source>The elastic modulus is that of the project&apos;s shaft, {modulus_MPa} MPa, as in the workspace Chatter; the cutting coefficients stay those of the set-up.</source>
-        <translation>Moduł sprężystości pochodzi z wału projektu, {modulus_MPa} MPa, jak w obszarze Drgania; współczynniki skrawania pozostają te z ustawienia.</translation>
-    </message>
-    <message>
         <source>The geometry of the insert {insert} is taken from the library (source: {source}); the cutting coefficients stay those of the set-up.</source>
         <translation>Geometria płytki {insert} pochodzi z biblioteki (źródło: {source}); współczynniki skrawania zostają z ustawienia.</translation>
     </message>
@@ -9134,14 +9118,6 @@
     <message>
         <source>Machine</source>
         <translation>Maszyna</translation>
-    </message>
-    <message>
-        <source>Springs of the chuck from the library that the workspace Chatter uses.</source>
-        <translation>Sprężyny uchwytu z biblioteki, której używa obszar Drgania.</translation>
-    </message>
-    <message>
-        <source>Elastic constants from the library that the workspace Chatter uses. The cutting coefficients stay those of the set-up.</source>
-        <translation>Stałe sprężystości z biblioteki, której używa obszar Drgania. Współczynniki skrawania zostają z ustawienia.</translation>
     </message>
     <message>
         <source>Expanded uncertainty, k = 2.</source>
@@ -9862,10 +9838,6 @@
     <message>
         <source>Recognise</source>
         <translation>Rozpoznawanie</translation>
-    </message>
-    <message>
-        <source>Copy a part</source>
-        <translation>Kopia części</translation>
     </message>
     <message>
         <source>Recognising the rows</source>
@@ -12208,10 +12180,6 @@
         <translation>Program pierwszego zamocowania, dla --setup 2.</translation>
     </message>
     <message>
-        <source>a job (JOB.json)</source>
-        <translation>zadanie (JOB.json)</translation>
-    </message>
-    <message>
         <source>Folder</source>
         <translation>Folder</translation>
     </message>
@@ -12220,16 +12188,8 @@
         <translation>Dokąd trafiają wszystkie pliki; tworzony, gdy go brak.</translation>
     </message>
     <message>
-        <source>The spindle at the chuck face, from SPINDLE.json.</source>
-        <translation>Wrzeciono przy czole uchwytu, z SPINDLE.json.</translation>
-    </message>
-    <message>
         <source>Set-up of deflection</source>
         <translation>Ustawienie ugięcia</translation>
-    </message>
-    <message>
-        <source>SETUP.json; without a stock of its own it takes the job&apos;s bar.</source>
-        <translation>SETUP.json; bez własnego półfabrykatu bierze pręt z zadania.</translation>
     </message>
     <message>
         <source>The scan of the machined copy.</source>
@@ -12270,10 +12230,6 @@
     <message>
         <source>To both sides.</source>
         <translation>Na obie strony.</translation>
-    </message>
-    <message>
-        <source>a spindle (SPINDLE.json)</source>
-        <translation>wrzeciono (SPINDLE.json)</translation>
     </message>
     <message>
         <source>Planning the program</source>
@@ -12898,10 +12854,6 @@
     <message>
         <source>What a picture cannot say</source>
         <translation>Czego obraz nie powie</translation>
-    </message>
-    <message>
-        <source>The strip above runs the chain from the scan of a worn part to the proof of its copy; drop its files here, or a dossier that was made before.</source>
-        <translation>Pasek powyżej prowadzi łańcuch od skanu zużytej części do weryfikacji jej kopii; upuść tu jego pliki albo dokumentację wykonaną wcześniej.</translation>
     </message>
     <message>
         <source>Proof of the copy</source>
@@ -16035,6 +15987,258 @@
         <source>After, {rpm} rpm: whether there is chatter is open.</source>
         <translation>Po, {rpm} obr/min: czy są drgania, pozostaje otwarte.</translation>
     </message>
+    <message>
+        <source>The spindle at the chuck face, from SPINDLE.json; else that of the shop.</source>
+        <translation>Wrzeciono na czole uchwytu, z SPINDLE.json; w przeciwnym razie z warsztatu.</translation>
+    </message>
+    <message>
+        <source>Stock, set-up, tools and cutting data, from JOB.json; else from the shop.</source>
+        <translation>Półfabrykat, mocowanie, narzędzia i parametry skrawania, z JOB.json; w przeciwnym razie z warsztatu.</translation>
+    </message>
+    <message>
+        <source>SETUP.json; without a stock of its own it takes the job&apos;s bar; else from the shop.</source>
+        <translation>SETUP.json; bez własnego półfabrykatu bierze pręt zlecenia; w przeciwnym razie z warsztatu.</translation>
+    </message>
+    <message>
+        <source>Shop</source>
+        <translation>Warsztat</translation>
+    </message>
+    <message>
+        <source>Makes what is not given of machine, job and set-up, marked as assumed: SHOP.json, or built-in; empty: their steps are missing.</source>
+        <translation>Tworzy to, czego nie podano z maszyny, zlecenia i mocowania, oznaczone jako przyjęte: SHOP.json albo built-in; puste: brakuje ich kroków.</translation>
+    </message>
+    <message>
+        <source>The elastic modulus is that of the project&apos;s shaft, {modulus_MPa} MPa, as in the question Machine; the cutting coefficients stay those of the set-up.</source>
+        <translation>Moduł sprężystości jest modułem wału z projektu, {modulus_MPa} MPa, jak w pytaniu Maszyna; współczynniki skrawania pozostają takie, jak w mocowaniu.</translation>
+    </message>
+    <message>
+        <source>Springs of the chuck from the library that the question Machine uses.</source>
+        <translation>Sprężyny uchwytu z biblioteki, z której korzysta pytanie Maszyna.</translation>
+    </message>
+    <message>
+        <source>Elastic constants from the library that the question Machine uses. The cutting coefficients stay those of the set-up.</source>
+        <translation>Stałe sprężyste z biblioteki, z której korzysta pytanie Maszyna. Współczynniki skrawania pozostają takie, jak w mocowaniu.</translation>
+    </message>
+    <message>
+        <source>the number of a part, counted from 0</source>
+        <translation>numer części, liczony od 0</translation>
+    </message>
+    <message>
+        <source>As it is shown.</source>
+        <translation>Tak jest pokazywana.</translation>
+    </message>
+    <message>
+        <source>Largest speed</source>
+        <translation>Największa prędkość obrotowa</translation>
+    </message>
+    <message>
+        <source>Of the spindle.</source>
+        <translation>Wrzeciona.</translation>
+    </message>
+    <message>
+        <source>Empty: not looked at.</source>
+        <translation>Puste: nie jest sprawdzane.</translation>
+    </message>
+    <message>
+        <source>Swing</source>
+        <translation>Średnica toczenia</translation>
+    </message>
+    <message>
+        <source>Largest diameter of a part; empty: not looked at.</source>
+        <translation>Największa średnica części; puste: nie jest sprawdzana.</translation>
+    </message>
+    <message>
+        <source>Turning length</source>
+        <translation>Długość toczenia</translation>
+    </message>
+    <message>
+        <source>Largest length of a part; empty: not looked at.</source>
+        <translation>Największa długość części; puste: nie jest sprawdzana.</translation>
+    </message>
+    <message>
+        <source>For which programs are written.</source>
+        <translation>Dla którego pisane są programy.</translation>
+    </message>
+    <message>
+        <source>With the spindle behind it.</source>
+        <translation>Razem z wrzecionem za nim.</translation>
+    </message>
+    <message>
+        <source>The least length to be held.</source>
+        <translation>Najmniejsza długość zamocowania.</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Odstęp</translation>
+    </message>
+    <message>
+        <source>From the part&apos;s end to the chuck face.</source>
+        <translation>Od końca części do czoła uchwytu.</translation>
+    </message>
+    <message>
+        <source>Against tilting of the axis; 0: a pointed centre.</source>
+        <translation>Przeciw pochyleniu osi; 0: kieł ostry.</translation>
+    </message>
+    <message>
+        <source>From slenderness</source>
+        <translation>Od smukłości</translation>
+    </message>
+    <message>
+        <source>Used where length over mean diameter is that large.</source>
+        <translation>Używany, gdy stosunek długości do średniej średnicy jest co najmniej taki.</translation>
+    </message>
+    <message>
+        <source>In the turret, by their number.</source>
+        <translation>W głowicy, według numeru.</translation>
+    </message>
+    <message>
+        <source>Stiffness and density</source>
+        <translation>Sztywność i gęstość</translation>
+    </message>
+    <message>
+        <source>Of this material.</source>
+        <translation>Tego materiału.</translation>
+    </message>
+    <message>
+        <source>With a coated carbide insert.</source>
+        <translation>Z płytką z węglika powlekanego.</translation>
+    </message>
+    <message>
+        <source>Allowance of the bar</source>
+        <translation>Naddatek pręta</translation>
+    </message>
+    <message>
+        <source>Its diameter beyond the largest of the part, at least.</source>
+        <translation>O ile jego średnica jest co najmniej większa od największej średnicy części.</translation>
+    </message>
+    <message>
+        <source>The shop has no {table} “{key}”; it has {known}.</source>
+        <translation>Warsztat nie ma pozycji „{key}” (tabela: {table}); ma: {known}.</translation>
+    </message>
+    <message>
+        <source>The part&apos;s largest diameter is {diameter_mm} mm; bars are listed up to {largest_mm} mm. State a job with the bar at hand.</source>
+        <translation>Największa średnica części wynosi {diameter_mm} mm; pręty są wymienione do {largest_mm} mm. Podaj zlecenie z prętem, który jest dostępny.</translation>
+    </message>
+    <message>
+        <source>{what} is {found_mm} mm; the lathe “{lathe}” takes {most_mm} mm.</source>
+        <translation>{what}: {found_mm} mm; tokarka „{lathe}” przyjmuje {most_mm} mm.</translation>
+    </message>
+    <message>
+        <source>The shop makes {what} for a part: state it with {name}, or state {what}.</source>
+        <translation>Warsztat tworzy {what} dla części: podaj ją przez {name} albo podaj {what}.</translation>
+    </message>
+    <message>
+        <source>{what} of the shop: {value} ({source}).</source>
+        <translation>{what} z warsztatu: {value} ({source}).</translation>
+    </message>
+    <message>
+        <source>an object with a choice or tables of a shop</source>
+        <translation>obiekt z wyborem albo tabelami warsztatu</translation>
+    </message>
+    <message>
+        <source>Shops</source>
+        <translation>Warsztaty</translation>
+    </message>
+    <message>
+        <source>The diameter of the bar</source>
+        <translation>Średnica pręta</translation>
+    </message>
+    <message>
+        <source>The length of the part</source>
+        <translation>Długość części</translation>
+    </message>
+    <message>
+        <source>Lathe</source>
+        <translation>Tokarka</translation>
+    </message>
+    <message>
+        <source>Set of tools</source>
+        <translation>Zestaw narzędzi</translation>
+    </message>
+    <message>
+        <source>lathe</source>
+        <translation>tokarka</translation>
+    </message>
+    <message>
+        <source>set of tools</source>
+        <translation>zestaw narzędzi</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>materiał</translation>
+    </message>
+    <message>
+        <source>By its key in the tables of the shop.</source>
+        <translation>Według klucza w tabelach warsztatu.</translation>
+    </message>
+    <message>
+        <source>By its key; empty: the shop has none.</source>
+        <translation>Według klucza; puste: warsztat go nie ma.</translation>
+    </message>
+    <message>
+        <source>A post by its name; empty: that of the lathe.</source>
+        <translation>Postprocesor według nazwy; puste: ten tokarki.</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabela</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Klucz</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>Wybrane</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Źródło</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>wybrane</translation>
+    </message>
+    <message>
+        <source>SHOP.json; without it the shop that is built in.</source>
+        <translation>SHOP.json; bez niego warsztat wbudowany.</translation>
+    </message>
+    <message>
+        <source>Chosen entries (SHOP.json)…</source>
+        <translation>Wybrane pozycje (SHOP.json)…</translation>
+    </message>
+    <message>
+        <source>Depths are multiples of the least limit, for K_r is not given · chatter at {frequency} Hz · lobes in the range: {lobes}</source>
+        <translation>Głębokości są wielokrotnościami najmniejszej granicy, bo K_r nie podano · drgania przy {frequency} Hz · krzywe workowe w zakresie: {lobes}</translation>
+    </message>
+    <message>
+        <source>Speed of the deepest stable cut</source>
+        <translation>Prędkość najgłębszego stabilnego skrawania</translation>
+    </message>
+    <message>
+        <source>“{place}” is answered, but nothing can be made from it before what it did not understand is settled.</source>
+        <translation>„{place}” ma odpowiedź, ale nic nie może z niej wynikać, dopóki nie wyjaśni się tego, czego nie zrozumiano.</translation>
+    </message>
+    <message>
+        <source>The button above runs the chain from the scan of a worn part to the proof of its copy; drop its files here, or a dossier that was made before.</source>
+        <translation>Przycisk powyżej uruchamia łańcuch od skanu zużytej części do dowodu jej kopii; upuść tu jego pliki albo wcześniej utworzoną dokumentację.</translation>
+    </message>
+    <message>
+        <source>Not taken: found {found}, expected {expected}.</source>
+        <translation>Nie przyjęto: znaleziono {found}, oczekiwano {expected}.</translation>
+    </message>
+    <message>
+        <source>a file of no known kind</source>
+        <translation>plik nieznanego rodzaju</translation>
+    </message>
+    <message>
+        <source>a job or a set-up</source>
+        <translation>zlecenie albo mocowanie</translation>
+    </message>
+    <message>
+        <source>Makes the job, set-up or spindle that is not given, from SHOP.json or the shop that is built-in; what nobody stated is marked as assumed.</source>
+        <translation>Tworzy zlecenie, mocowanie albo wrzeciono, których nie podano, z SHOP.json albo z warsztatu wbudowanego; to, czego nikt nie podał, jest oznaczone jako przyjęte.</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>
@@ -16070,6 +16274,10 @@
     <message>
         <source>Type what you want to do</source>
         <translation>Wpisz, co chcesz zrobić</translation>
+    </message>
+    <message>
+        <source>Nothing found: open the manual</source>
+        <translation>Nic nie znaleziono: otwórz podręcznik</translation>
     </message>
 </context>
 <context>
@@ -16135,6 +16343,17 @@
     </message>
 </context>
 <context>
+    <name>lathelier::EmptyPlace</name>
+    <message>
+        <source>All panels of “%1” are closed or stand in windows of their own.</source>
+        <translation>Wszystkie panele pytania „%1” są zamknięte albo stoją we własnych oknach.</translation>
+    </message>
+    <message>
+        <source>&amp;Bring them back</source>
+        <translation>&amp;Przywróć je</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::EmptyState</name>
     <message>
         <source>Open…</source>
@@ -16143,6 +16362,10 @@
     <message>
         <source>Open the sample</source>
         <translation>Otwórz przykład</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Obliczanie…</translation>
     </message>
 </context>
 <context>
@@ -16162,10 +16385,6 @@
 <context>
     <name>lathelier::Form</name>
     <message>
-        <source>Advanced</source>
-        <translation>Zaawansowane</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
@@ -16178,12 +16397,16 @@
         <translation>z pliku: %1</translation>
     </message>
     <message numerus="yes">
-        <source>Advanced (%n assumed)</source>
+        <source>More (%n assumed)</source>
         <translation>
-            <numerusform>Zaawansowane (%n założona)</numerusform>
-            <numerusform>Zaawansowane (%n założone)</numerusform>
-            <numerusform>Zaawansowane (%n założonych)</numerusform>
+            <numerusform>Więcej (%n przyjęta)</numerusform>
+            <numerusform>Więcej (%n przyjęte)</numerusform>
+            <numerusform>Więcej (%n przyjętych)</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Więcej</translation>
     </message>
 </context>
 <context>
@@ -16299,6 +16522,14 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>%1 (required)</source>
         <translation>%1 (wymagane)</translation>
     </message>
+    <message>
+        <source>from the shop (assumed)</source>
+        <translation>z warsztatu (przyjęte)</translation>
+    </message>
+    <message>
+        <source>from “%1”</source>
+        <translation>z „%1”</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::InputColumn</name>
@@ -16319,16 +16550,32 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Otwórz: %1</translation>
     </message>
     <message>
-        <source>Open %1</source>
-        <translation>Otwórz %1</translation>
-    </message>
-    <message>
         <source>Use “%1”</source>
         <translation>Użyj „%1”</translation>
     </message>
     <message>
         <source>All files (*)</source>
         <translation>Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>%1…</source>
+        <translation>%1…</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Otwórz plik…</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Dodaj…</translation>
+    </message>
+    <message>
+        <source>Add what this panel can use besides: a file, or what another panel made</source>
+        <translation>Dodaj, z czego panel może ponadto korzystać: plik albo to, co utworzył inny panel</translation>
+    </message>
+    <message>
+        <source>Add an input</source>
+        <translation>Dodaj wejście</translation>
     </message>
 </context>
 <context>
@@ -16413,10 +16660,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>&amp;Ustawienia…</translation>
     </message>
     <message>
-        <source>&amp;Compute again</source>
-        <translation>P&amp;rzelicz ponownie</translation>
-    </message>
-    <message>
         <source>&amp;Stop the computation</source>
         <translation>Przer&amp;wij obliczenia</translation>
     </message>
@@ -16459,14 +16702,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>&amp;View</source>
         <translation>&amp;Widok</translation>
-    </message>
-    <message>
-        <source>&amp;Workspaces</source>
-        <translation>Prze&amp;strzenie robocze</translation>
-    </message>
-    <message>
-        <source>Workspaces</source>
-        <translation>Przestrzenie robocze</translation>
     </message>
     <message>
         <source>Messages</source>
@@ -16547,6 +16782,46 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Data</source>
         <translation>Dane</translation>
+    </message>
+    <message>
+        <source>S&amp;hop…</source>
+        <translation>Wars&amp;ztat…</translation>
+    </message>
+    <message>
+        <source>F&amp;loat or dock the panel</source>
+        <translation>Odłącz a&amp;lbo zadokuj panel</translation>
+    </message>
+    <message>
+        <source>&amp;Close the panel</source>
+        <translation>&amp;Zamknij panel</translation>
+    </message>
+    <message>
+        <source>C&amp;ompute again</source>
+        <translation>&amp;Oblicz ponownie</translation>
+    </message>
+    <message>
+        <source>&amp;Questions</source>
+        <translation>&amp;Pytania</translation>
+    </message>
+    <message>
+        <source>P&amp;anels</source>
+        <translation>P&amp;anele</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Pytania</translation>
+    </message>
+    <message>
+        <source>&amp;Dock</source>
+        <translation>&amp;Zadokuj</translation>
+    </message>
+    <message>
+        <source>&amp;Float</source>
+        <translation>&amp;Odłącz</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Zamknij</translation>
     </message>
 </context>
 <context>
@@ -16709,6 +16984,69 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
 </context>
 <context>
+    <name>lathelier::PartsBox</name>
+    <message>
+        <source>Part %1</source>
+        <translation>Część %1</translation>
+    </message>
+    <message>
+        <source>%1: its data are shown</source>
+        <translation>%1: pokazywane są jej dane</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>Pokaż: %1</translation>
+    </message>
+    <message>
+        <source>%1, shown</source>
+        <translation>%1, pokazywana</translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation>Dodaj „%1”</translation>
+    </message>
+    <message>
+        <source>Remove “%1”</source>
+        <translation>Usuń „%1”</translation>
+    </message>
+    <message>
+        <source>Rename to “%1”</source>
+        <translation>Zmień nazwę na „%1”</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Pokaż</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Zmień nazwę…</translation>
+    </message>
+    <message>
+        <source>Remove from the project</source>
+        <translation>Usuń z projektu</translation>
+    </message>
+    <message>
+        <source>Add a part</source>
+        <translation>Dodaj część</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Części</translation>
+    </message>
+    <message>
+        <source>Parts of the project</source>
+        <translation>Części projektu</translation>
+    </message>
+    <message>
+        <source>Rename the part</source>
+        <translation>Zmień nazwę części</translation>
+    </message>
+    <message>
+        <source>Remove the part from the project</source>
+        <translation>Usuń część z projektu</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::ProgressRow</name>
     <message>
         <source>Stopping…</source>
@@ -16843,6 +17181,36 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
 </context>
 <context>
+    <name>lathelier::QuestionBar</name>
+    <message>
+        <source>Questions</source>
+        <translation>Pytania</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::QuestionBox</name>
+    <message>
+        <source>no answer yet</source>
+        <translation>jeszcze bez odpowiedzi</translation>
+    </message>
+    <message>
+        <source>computing…</source>
+        <translation>obliczanie…</translation>
+    </message>
+    <message>
+        <source>could not be answered</source>
+        <translation>nie można było odpowiedzieć</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>nieaktualne</translation>
+    </message>
+    <message>
+        <source>≈ rests on assumed values</source>
+        <translation>≈ opiera się na przyjętych wartościach</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::RowsEdit</name>
     <message>
         <source>Add a row</source>
@@ -16941,6 +17309,101 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
 </context>
 <context>
+    <name>lathelier::ShopDialog</name>
+    <message>
+        <source>Choose the shop</source>
+        <translation>Wybierz warsztat</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Usuń</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nowa</translation>
+    </message>
+    <message>
+        <source>An entry of your own, with the values of this one</source>
+        <translation>Własna pozycja z wartościami tej</translation>
+    </message>
+    <message>
+        <source>Takes your own entry away; one that is built in stays</source>
+        <translation>Usuwa własną pozycję; wbudowana pozostaje</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Źródło</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>brak</translation>
+    </message>
+    <message>
+        <source>%1 (built in, assumed)</source>
+        <translation>%1 (wbudowane, przyjęte)</translation>
+    </message>
+    <message>
+        <source>stated by the user, %1</source>
+        <translation>podane przez użytkownika, %1</translation>
+    </message>
+    <message>
+        <source>My %1</source>
+        <translation>Moje: %1</translation>
+    </message>
+    <message>
+        <source>Shop</source>
+        <translation>Warsztat</translation>
+    </message>
+    <message>
+        <source>that of the lathe</source>
+        <translation>jak tokarka</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Sterowanie</translation>
+    </message>
+    <message>
+        <source>Read…</source>
+        <translation>Wczytaj…</translation>
+    </message>
+    <message>
+        <source>Write…</source>
+        <translation>Zapisz…</translation>
+    </message>
+    <message>
+        <source>Lathe</source>
+        <translation>Tokarka</translation>
+    </message>
+    <message>
+        <source>Chuck</source>
+        <translation>Uchwyt</translation>
+    </message>
+    <message>
+        <source>Tailstock</source>
+        <translation>Konik</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Narzędzia</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Materiał</translation>
+    </message>
+    <message>
+        <source>Read a shop</source>
+        <translation>Wczytaj warsztat</translation>
+    </message>
+    <message>
+        <source>Shops (*.json)</source>
+        <translation>Warsztaty (*.json)</translation>
+    </message>
+    <message>
+        <source>Write the shop</source>
+        <translation>Zapisz warsztat</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::TitleBlockDialog</name>
     <message>
         <source>Title block</source>
@@ -17029,7 +17492,7 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
 </context>
 <context>
-    <name>lathelier::chain_panel::ChainStrip</name>
+    <name>lathelier::chain_panel::ChainRunRow</name>
     <message numerus="yes">
         <source>Run %n step(s)…</source>
         <translation>
@@ -17040,11 +17503,15 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
     <message>
         <source>Up to date</source>
-        <translation>Aktualne</translation>
+        <translation>Aktualny</translation>
+    </message>
+    <message>
+        <source>Open a step of the chain</source>
+        <translation>Otwórz krok łańcucha</translation>
     </message>
     <message>
         <source>Stopping…</source>
-        <translation>Przerywanie…</translation>
+        <translation>Zatrzymywanie…</translation>
     </message>
     <message>
         <source>Write the report of the chain</source>
@@ -17068,15 +17535,15 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
     <message>
         <source>Chain from the scan to the proof of the copy</source>
-        <translation>Łańcuch od skanu do weryfikacji kopii</translation>
+        <translation>Łańcuch od skanu do dowodu kopii</translation>
     </message>
     <message>
         <source>Run the chain…</source>
-        <translation>Wykonaj łańcuch…</translation>
+        <translation>Uruchom łańcuch…</translation>
     </message>
     <message>
         <source>Runs the steps that are not made yet or out of date, after a question</source>
-        <translation>Wykonuje, po zapytaniu, kroki jeszcze niewykonane lub nieaktualne</translation>
+        <translation>Uruchamia kroki jeszcze niewykonane albo nieaktualne, po zapytaniu</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -17084,7 +17551,7 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
     <message>
         <source>What was made before stays</source>
-        <translation>To, co już wykonano, zostaje</translation>
+        <translation>To, co wykonano wcześniej, pozostaje</translation>
     </message>
     <message>
         <source>Report and dossier of the chain</source>
@@ -17101,10 +17568,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>&amp;Open the folder</source>
         <translation>&amp;Otwórz folder</translation>
-    </message>
-    <message>
-        <source>Open a step of the chain</source>
-        <translation>Otwórz krok łańcucha</translation>
     </message>
 </context>
 <context>
@@ -17202,45 +17665,14 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
 </context>
 <context>
-    <name>lathelier::chain_panel::StepTile</name>
-    <message>
-        <source>done</source>
-        <translation>gotowe</translation>
-    </message>
-    <message>
-        <source>out of date</source>
-        <translation>nieaktualne</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>niepowodzenie</translation>
-    </message>
-    <message>
-        <source>not made yet</source>
-        <translation>jeszcze niewykonane</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>brak</translation>
-    </message>
-    <message>
-        <source>out of tolerance</source>
-        <translation>poza tolerancją</translation>
-    </message>
-    <message>
-        <source>not decided</source>
-        <translation>nierozstrzygnięty</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::chain_panel::StripTexts</name>
+    <name>lathelier::chain_panel::StepTexts</name>
     <message>
         <source>Takes (SHA-256):</source>
-        <translation>Pobiera (SHA-256):</translation>
+        <translation>Bierze (SHA-256):</translation>
     </message>
     <message>
         <source>Makes (SHA-256):</source>
-        <translation>Wykonuje (SHA-256):</translation>
+        <translation>Tworzy (SHA-256):</translation>
     </message>
 </context>
 <context>
@@ -18037,10 +18469,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <translation>Powierzchnia wszystkich przekrojów</translation>
     </message>
     <message>
-        <source>form of each section only</source>
-        <translation>tylko kształt każdego przekroju</translation>
-    </message>
-    <message>
         <source>Take out where each section lies and how large it is: what is left is its roundness</source>
         <translation>Bez położenia i wymiaru przekrojów: zostaje sama okrągłość</translation>
     </message>
@@ -18073,6 +18501,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
 deviation %3</source>
         <translation>przekrój %1, kąt %2°
 odchyłka %3</translation>
+    </message>
+    <message>
+        <source>form only</source>
+        <translation>tylko kształt</translation>
     </message>
 </context>
 <context>
@@ -19639,10 +20071,6 @@ Wszystkie inne widoki działają.</translation>
         <translation>Następny przekrój</translation>
     </message>
     <message>
-        <source>The section that all panels of this workspace show</source>
-        <translation>Przekrój pokazywany we wszystkich panelach tej przestrzeni</translation>
-    </message>
-    <message>
         <source>worst</source>
         <translation>najgorszy</translation>
     </message>
@@ -19653,6 +20081,10 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source> · z %1</source>
         <translation> · z %1</translation>
+    </message>
+    <message>
+        <source>The section that all panels of Roundness show</source>
+        <translation>Przekrój, który pokazują wszystkie panele pytania Okrągłość</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "engine/shop/shop_job.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/job_library.h"
@@ -109,8 +110,9 @@ cam::Job jobOf(const Shop& shop, const Shaft& part)
     for (cam::JobTool& tool : job.tools) tool.settle();
     const cam::JobTool* const blade = job.toolFor(cam::ToolUse::PartOff);
     job.part_off = blade && cam::withLibrary(job).partingBlade()->reach_mm.value_or(0) > *bar_mm / 2;
-    job.setup.chuck_face_z_mm =
+    const double face_mm =
         length_mm + chuck.clearance_mm + (job.part_off ? blade->width_mm.value_or(assumed::width_mm) : 0);
+    job.setup.chuck_face_z_mm = std::ceil(2 * face_mm) / 2;  // as a person sets it: a measured length has many digits
     job.setup.jaw_diameter_mm = chuck.jaw_diameter_mm;
     job.setup.grip_length_mm = chuck.grip_length_mm;
     job.setup.power_kW = lathe.power_kW;

@@ -165,16 +165,16 @@ private slots:
         QVERIFY(about.contains(QString::fromStdString(recognise.inputs.front().sha256.substr(0, 12))));
         QVERIFY(stepTable().item(rowOf("program"), 1)->text().startsWith(QString::fromUtf8("✗ ")));
         QVERIFY(stepTable().item(rowOf("recognise"), 1)->text().startsWith(QString::fromUtf8("✓ ")));
-        // Items of the project, and panels of the steps that had nothing.
+        // Its files stand in the questions that had none; the others follow from them.
         const project::Project& project = session_->project();
-        QCOMPARE(project.items.size(), std::size_t{1});
-        QCOMPARE(project.items.begin()->second.kind, std::string("shaft"));
-        QCOMPARE(project.panels.at("turning").inputs.at("shaft").item, project.items.begin()->first);
-        QVERIFY(project.panels.at("deflection").inputs.count("program") == 1);
-        // What the chain has put there is no new drawing of its own: all stays done.
+        QVERIFY(project.items.empty());
+        QVERIFY(project.panels.at("drawing").inputs.at("shaft").path.find("chain_drawing.json") != std::string::npos);
+        QCOMPARE(session_->walk()->promised("turning").inputs.at("shaft").item, std::string("drawing:shaft"));
+        QCOMPARE(session_->walk()->promised("deflection").inputs.at("program").item, std::string("turning:program"));
+        // That is no new drawing for the chain: all stays done.
         QVERIFY(!row().findChild<QPushButton*>("runChainWanted")->isEnabled());
         session_->undoStack().undo();
-        QVERIFY(session_->project().items.empty());
+        QVERIFY(session_->panel("drawing").inputs.empty());
         QVERIFY(session_->project().panels.at("chain").parameters.empty() ||
                 !find(session_->panel("chain").parameters, "run") ||
                 *find(session_->panel("chain").parameters, "run") == Value(std::string()));

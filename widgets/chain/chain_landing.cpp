@@ -1,14 +1,10 @@
 #include "widgets/chain/chain_landing.h"
 
 #include <QCoreApplication>
-#include <algorithm>
 #include <filesystem>
 
-#include "engine/chain/of_project/chain_memory.h"
 #include "engine/io/file.h"
-#include "engine/io/shaft/shaft_file.h"
 #include "engine/receptance/spindle/spindle_item.h"
-#include "engine/shaft/shaft_item.h"
 #include "widgets/core/form/input_column.h"
 
 namespace lathelier::chain_panel {
@@ -20,42 +16,13 @@ QString say(const char* english)
     return QCoreApplication::translate("lathelier::chain_panel::ChainLanding", english);
 }
 
-/// Sets inputs of panels that have none.
-class Giver {
-public:
-    explicit Giver(project::Project& project) : project_(project) {}
-
-    void file(const char* panel, const char* role, const std::string& path)
-    {
-        if (!path.empty() && isFree(panel, role))
-            project_.panels[panel].inputs[role] = newSource(QString::fromStdString(path));
-    }
-    void item(const char* panel, const char* role, const std::string& name)
-    {
-        if (!isFree(panel, role)) return;
-        project::Source source;
-        source.item = name;
-        project_.panels[panel].inputs[role] = source;
-    }
-
-private:
-    bool isFree(const char* panel, const char* role) const
-    {
-        const auto state = project_.panels.find(panel);
-        return state == project_.panels.end() || state->second.inputs.count(role) == 0;
-    }
-    project::Project& project_;
-};
-
-std::optional<Shaft> drawnShaft(const std::string& path)
+/// Where the panel has none.
+void giveFile(project::Project& project, const char* panel, const char* role, const std::string& path)
 {
-    try {
-        Notes ignoredNotes;
-        const io::FileBytes bytes(path);
-        return io::readShaft(std::string(bytes.view()), ignoredNotes);
-    } catch (const Error&) {
-        return std::nullopt;
-    }
+    if (path.empty()) return;
+    const auto state = project.panels.find(panel);
+    if (state == project.panels.end() || state->second.inputs.count(role) == 0)
+        project.panels[panel].inputs[role] = newSource(QString::fromStdString(path));
 }
 
 /// The requested name, or with a number where an item of that name is the user's.
@@ -103,49 +70,19 @@ void givePhotographs(project::Project& project, const chain::ChainQuestion& ques
 void landRun(Session& session, const chain::ChainQuestion& question, const chain::Dossier& dossier,
              const std::string& sha256)
 {
-    const auto isDone = [&](const char* id) {
-        const chain::ChainStep* const step = dossier.step(id);
-        return step && step->state == chain::StepState::Done;
-    };
-    const auto made = [&](const std::string& name) { return (fs::path(question.out) / name).string(); };
-    const std::optional<Shaft> drawing = isDone("draw") ? drawnShaft(made("drawing.json")) : std::nullopt;
-    const std::string stem = fs::path(question.scan.empty() ? question.drawing : question.scan).stem().string();
-    const std::string name =
-        freeName(session.project(), say("Drawing of %1").arg(QString::fromStdString(stem)).toStdString());
-
+    const chain::ChainStep* const photographs = dossier.step("surface");
     session.edit(say("Run the chain"), [&](project::Project& project) {
         Values& settings = project.panels[chain::chainKey].parameters;
         set(settings, chain::folderKey, question.out);
         set(settings, chain::runKey, sha256);
-        Giver give(project);
-        give.file("recognise", "scan", question.scan);
-        if (drawing) {
-            project.items[name] = itemOf(project, shaftItem, toValues(*drawing));
-            for (const char* panel : {"drawing", "turning"}) give.item(panel, "shaft", name);
-        }
-        give.file("turning", "job", question.job);
-        give.file("turning", "spindle", question.machine);
-        if (isDone("machine")) {
-            give.file("shaft", "shaft", made("held.json"));
-            give.file("shaft", "spindle", question.machine);
-            give.file("lobes", "frf", made("receptance.csv"));
-        }
-        if (isDone("deflection")) {
-            for (const InputFile& file : dossier.step("deflection")->inputs) {
-                const std::string stem_of = fs::path(file.path).stem().string();
-                if (stem_of.starts_with("program")) give.file("deflection", "program", made(file.path));
-                if (stem_of == "setup") give.file("deflection", "setup", made(file.path));
-            }
-            give.file("deflection", "setup", question.setup);
-        }
-        if (isDone("surface")) givePhotographs(project, question, dossier);
-        if (isDone("draw") && !question.copy.empty()) {
-            const auto compare = project.panels.find("compare");
-            if (compare == project.panels.end() || compare->second.inputs.empty()) {
-                give.file("compare", "reference", made("drawing.json"));
-                give.file("compare", "copy", question.copy);
-            }
-        }
+        giveFile(project, "recognise", "scan", question.scan);
+        giveFile(project, "drawing", "shaft", question.drawing);
+        giveFile(project, "turning", "job", question.job);
+        for (const char* panel : {"shaft", "lobes", "turning"}) giveFile(project, panel, "spindle", question.machine);
+        giveFile(project, "deflection", "setup", question.setup);
+        giveFile(project, "compare", "copy", question.copy);
+        if (photographs && photographs->state == chain::StepState::Done)
+            givePhotographs(project, question, dossier);
     });
 }
 

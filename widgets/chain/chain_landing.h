@@ -1,5 +1,5 @@
-// Results of a run of the chain entered into the project: items, and inputs of the panels of its steps that had none.
-// One undo step each.
+// A run of the chain entered into the project, with the files that it was given; all else follows from them in the walk
+// through the part. One undo step each.
 #pragma once
 
 #include "engine/chain/machine_fit.h"
@@ -8,8 +8,7 @@
 
 namespace lathelier::chain_panel {
 
-/// The drawing becomes an item; panels of the steps without inputs receive the inputs and outputs of the chain. Inputs
-/// chosen by the user are kept. `sha256`: of the dossier's file.
+/// Panels of the steps receive the files of the chain where they have none. `sha256`: of the dossier's file.
 void landRun(Session& session, const chain::ChainQuestion& question, const chain::Dossier& dossier,
              const std::string& sha256);
 

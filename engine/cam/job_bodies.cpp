@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/cam/clampings.h"
+#include "engine/cam/setup_plan.h"
 
 namespace lathelier::cam {
 namespace {

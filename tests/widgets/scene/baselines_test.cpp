@@ -4,11 +4,11 @@
 #include <QDir>
 #include <QLocale>
 #include <QTest>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "engine/sample/sample.h"
+#include "tests/widgets/core/picture_difference.h"
 #include "widgets/core/panel/answer_strip.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/map_view.h"
@@ -18,34 +18,8 @@
 namespace lathelier {
 namespace {
 
-constexpr int block_px = 8;          // means over so many pixels a side hide the anti-aliasing of type
 constexpr double largestMean = 4;    // of all blocks, in levels of 255
 constexpr double largestBlock = 90;  // a word moved by one pixel changes its blocks by less
-
-struct Difference {
-    double mean = 0;
-    double largest = 0;
-};
-
-Difference difference(const QImage& a, const QImage& b)
-{
-    const auto shrunk = [](const QImage& image) {
-        return image.convertToFormat(QImage::Format_RGB32)
-            .scaled(image.width() / block_px, image.height() / block_px, Qt::IgnoreAspectRatio,
-                    Qt::SmoothTransformation);
-    };
-    const QImage x = shrunk(a), y = shrunk(b);
-    Difference result;
-    for (int row = 0; row < x.height(); ++row)
-        for (int column = 0; column < x.width(); ++column) {
-            const QColor one = x.pixelColor(column, row), other = y.pixelColor(column, row);
-            const double off = std::max({std::abs(one.red() - other.red()), std::abs(one.green() - other.green()),
-                                         std::abs(one.blue() - other.blue())});
-            result.mean += off / (x.width() * x.height());
-            result.largest = std::max(result.largest, off);
-        }
-    return result;
-}
 
 /// A lobe chart: logarithmic frequency, a stable region, a limit, the operating point.
 report::Plot chart(double sign = 1)
@@ -136,11 +110,11 @@ class BaselinesTest : public QObject {
         const QImage approved(path);
         QVERIFY2(!approved.isNull(), qPrintable(path));
         QCOMPARE(picture.size(), approved.size());
-        const Difference found = difference(picture, approved);
+        const PictureDifference found = differenceOfShrunk(shrunk(picture), shrunk(approved));
         const bool same = found.mean <= largestMean && found.largest <= largestBlock;
         if (!same) picture.save(QDir::tempPath() + "/lathelier_baseline_" + name + ".png");
         QVERIFY2(same, qPrintable(QString("%1: mean %2, largest %3").arg(name).arg(found.mean).arg(found.largest)));
-        const Difference planted = difference(other, approved);
+        const PictureDifference planted = differenceOfShrunk(shrunk(other), shrunk(approved));
         QVERIFY2(
             planted.mean > largestMean || planted.largest > largestBlock,
             qPrintable(

@@ -1,6 +1,9 @@
 // A scan dropped on an empty window walks by itself to drawing, speed and program; what was assumed is said, and
 // replacing it changes what rests on it.
+#include <QDialog>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QTest>
 #include <QUndoStack>
 #include <array>
@@ -97,6 +100,31 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(isAnswered("machine") && box("machine").text != before, patience_ms);
         session_->undoStack().undo();
         QTRY_VERIFY_WITH_TIMEOUT(isAnswered("machine") && box("machine").text == before, patience_ms);
+    }
+
+    /// From an empty window to the proof: two scans, two clicks, no file of ours.
+    void twoScansGoToTheProof()
+    {
+        drop(window_.get(), {scanFile("part.xyz", 30)});
+        QTRY_VERIFY_WITH_TIMEOUT(isAnswered("program"), patience_ms);
+        window_->enterQuestion("copy");
+        drop(&dock("compare")->panel(), {scanFile("copy.xyz", 30.02)});
+        QTRY_VERIFY_WITH_TIMEOUT(isAnswered("copy"), patience_ms);
+        const project::PanelState& compare = session_->panel("compare");
+        QCOMPARE(compare.inputs.size(), std::size_t{1});  // the original is the drawing
+        QCOMPARE(compare.inputs.begin()->first, std::string("copy"));
+        window_->enterQuestion("proof");
+        auto* run = window_->findChild<QPushButton*>("runChainWanted");
+        QTRY_VERIFY_WITH_TIMEOUT(run->isVisible() && run->isEnabled(), patience_ms);
+        QTest::mouseClick(run, Qt::LeftButton);
+        auto* dialog = window_->findChild<QDialog*>("runChain");
+        QVERIFY(dialog && dialog->isVisible());
+        dialog->findChild<QLineEdit*>("chainFolder")->setText(folder_.filePath("chain"));
+        QTest::mouseClick(dialog->findChild<QPushButton*>("runChainNow"), Qt::LeftButton);
+        QTRY_VERIFY2_WITH_TIMEOUT(isAnswered("proof"), qPrintable(window_->messages().text()), patience_ms);
+        QVERIFY(box("proof").verdict.has_value());
+        QVERIFY(QFile::exists(folder_.filePath("chain/job.json")));
+        QVERIFY(QFile::exists(folder_.filePath("chain/report.html")));
     }
 
     void anErrorStopsTheWalkWithItsSentence()

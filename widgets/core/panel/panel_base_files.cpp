@@ -237,12 +237,18 @@ void PanelBase::assignFiles(project::PanelState& state, const std::vector<FoundF
 
 void PanelBase::assignInOrder(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
+    // What comes from elsewhere in the part is not free: a scan dropped beside a drawing is the copy.
+    const auto walk = session_.walk();
+    const auto comes = [&](const std::string& role) {
+        const std::vector<walk::Taken>& taken = walk->taken(facts_.id);
+        return std::any_of(taken.begin(), taken.end(), [&](const walk::Taken& one) { return one.role == role; });
+    };
     std::vector<std::string> free;
     const InputRole* rest = nullptr;  // accepts the remaining files
     for (const InputRole& role : inputs_.roles) {
         if (role.several && !role.required)
             rest = &role;
-        else if (!state.inputs.count(role.role))
+        else if (!state.inputs.count(role.role) && !comes(role.role))
             free.push_back(role.role);
     }
     const auto next =

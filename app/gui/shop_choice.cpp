@@ -9,7 +9,7 @@
 namespace lathelier {
 namespace {
 
-constexpr const char* shopKey = "shop";  ///< in the settings, and of the text in Project::shop
+constexpr const char* shopKey = shop::shopTextKey;  ///< in the settings too
 
 std::optional<shop::StatedShop> read(const std::string& text)
 {

@@ -41,11 +41,20 @@ void ChainMachine::read()
     }
     const bool is_whole = !question_.machine.empty() && !question_.job.empty() && !question_.setup.empty();
     if (question_.shop.empty() || is_whole) return;
-    shop_ = question_.shop == shop::builtInName ? shop::shopOf({}) : shop::loadShop(fileAt(question_.shop)).shop.shop();
+    shop_ = chosenShop();
     if (spindleFile_.empty()) spindleFile_ = runner_.path(spindleMadeFile);
     if (!jobFile_.empty()) return;
     jobFile_ = runner_.path(jobMadeFile);
     if (post_ == ChainQuestion{}.post) post_ = shop_->lathe.value.post;
+}
+
+shop::Shop ChainMachine::chosenShop() const
+{
+    if (!question_.shop_text.empty()) {
+        Notes ignored_notes;  // said where it was read into the project
+        return shop::readShop(question_.shop_text, ignored_notes).shop();
+    }
+    return question_.shop == shop::builtInName ? shop::shopOf({}) : shop::loadShop(fileAt(question_.shop)).shop.shop();
 }
 
 void ChainMachine::makeFor(const Shaft& part)

@@ -39,6 +39,7 @@ public:
 
 private:
     io::FileToRead fileAt(const std::string& path) const;
+    shop::Shop chosenShop() const;
     void note(const shop::UsedEntries& used);
 
     const ChainQuestion& question_;

@@ -40,11 +40,12 @@ struct ChainQuestion {
     std::optional<double> photograph_feed_deg;  ///< direction of feed in both, from right toward down; none: not known
     CutInPicture photograph_cut = CutInPicture::Unknown;  ///< direction of cut in both
     bool resume = false;                                  ///< reuse steps whose files and requests are unchanged
+    std::string shop_text;                                ///< of a project, in place of the file: the text of SHOP.json
     Values recognition;                                   ///< parameters of the first step
     Values reading;                                       ///< values that files may leave unstated
 };
 
-/// All except scan, recognition and reading, which are separate arguments of the command line.
+/// All except scan, shop_text, recognition and reading, which are separate arguments of the command line.
 const std::vector<Field<ChainQuestion>>& fieldsOf(const ChainQuestion*);
 
 /// Keys of the first step's parameters used by the chain: those of the robust method, what a person confirms, and what

@@ -10,6 +10,9 @@
 
 namespace lathelier::shop {
 
+/// Key of the text of a shop in project::Project::shop.
+inline constexpr const char* shopTextKey = "shop";
+
 /// A shop as a file or the settings keep it.
 struct StatedShop {
     ShopChoice choice;

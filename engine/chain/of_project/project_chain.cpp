@@ -14,6 +14,7 @@
 #include "engine/receptance/spindle/spindle_file.h"
 #include "engine/receptance/spindle/spindle_item.h"
 #include "engine/shaft/shaft_item.h"
+#include "engine/shop/shop_file.h"
 #include "engine/task/edited_segments.h"
 
 namespace lathelier::chain {
@@ -214,7 +215,8 @@ AskedChain askedChain(const project::Project& project)
     };
     question.scan = pathAt({{chainKey, scanRole}, {"recognise", "scan"}});
     const Places jobs{{chainKey, jobRole}, {"turning", "job"}}, setups{{chainKey, setupRole}, {"deflection", "setup"}};
-    question.shop.clear();  // what no panel gives is missing
+    const Value* const shop = find(project.shop, shop::shopTextKey);
+    if (const auto* const text = shop ? std::get_if<std::string>(shop) : nullptr) question.shop_text = *text;
     question.job = pathAt(jobs);
     question.setup = pathAt(setups);
     question.copy = pathAt({{chainKey, copyRole}, {"compare", "copy"}});

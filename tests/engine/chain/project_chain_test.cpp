@@ -81,7 +81,9 @@ TEST(ProjectChain, ItemsAreWrittenForTheChain)
 {
     const ScratchFolder folder;
     const AskedChain asked = askedChain(itemsOnly(folder.string()));
-    EXPECT_TRUE(asked.question.shop.empty());  // what no panel gives is missing
+    EXPECT_EQ(asked.question.shop, "built-in");  // makes what no panel gives
+    project.shop = {{"shop", std::string("{}")}};
+    EXPECT_EQ(askedChain(project).question.shop_text, "{}");
     write(asked);
     Notes notes;
     const io::FileBytes job(asked.question.job);

@@ -11,6 +11,7 @@
 #include "engine/deflection/setup_file.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
+#include "engine/shop/shop_file.h"
 #include "tests/scratch_folder.h"
 
 namespace lathelier::chain {
@@ -82,8 +83,9 @@ TEST(ProjectChain, ItemsAreWrittenForTheChain)
     const ScratchFolder folder;
     const AskedChain asked = askedChain(itemsOnly(folder.string()));
     EXPECT_EQ(asked.question.shop, "built-in");  // makes what no panel gives
-    project.shop = {{"shop", std::string("{}")}};
-    EXPECT_EQ(askedChain(project).question.shop_text, "{}");
+    project::Project with_shop = itemsOnly(folder.string());
+    with_shop.shop = {{shop::shopTextKey, std::string("{}")}};
+    EXPECT_EQ(askedChain(with_shop).question.shop_text, "{}");
     write(asked);
     Notes notes;
     const io::FileBytes job(asked.question.job);

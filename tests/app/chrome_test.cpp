@@ -116,6 +116,8 @@ private slots:
         QVERIFY(value->fontMetrics().horizontalAdvance(value->text()) <= value->width());
         QVERIFY(!window_->questionBar().isVisible());
         const QString first = views->primary();
+        QVERIFY2(window_->focusWidget() == views,
+                 qPrintable(window_->focusWidget()->objectName() + window_->focusWidget()->metaObject()->className()));
         QTest::keyClick(window_->focusWidget(), Qt::Key_Right);
         QVERIFY(views->primary() != first);
         QTest::keyClick(window_->focusWidget(), Qt::Key_Left);

@@ -69,6 +69,7 @@ private:
     void makeTools();
     void showQuestionMenu(const std::string& id, const QPoint& global);
     void answerQuestion(const std::string& id);
+    void followTab(PanelDock* dock);
     void followFront(PanelDock* dock);
     void showEmptyPlace();
     void clearStatus();

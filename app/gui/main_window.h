@@ -72,6 +72,7 @@ private:
     void answerQuestion(const std::string& id);
     void useShop();
     void askForShop();
+    void followTab(PanelDock* dock);
     void followFront(PanelDock* dock);
     void showEmptyPlace();
     void clearStatus();

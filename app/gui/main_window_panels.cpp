@@ -27,7 +27,7 @@ void MainWindow::makeDocks(const std::vector<PanelFacts>& panels)
         connect(dock, &PanelDock::panelMade, this, [this, dock](PanelBase* panel) { panelMade(dock, panel); });
         connect(dock, &PanelDock::showRequested, this, [this, dock] { showPanel(dock); });
         connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool seen) {
-            if (seen && layouts_) followFront(dock);
+            if (seen) QTimer::singleShot(0, dock, [this, dock] { followTab(dock); });
             QTimer::singleShot(0, this, &MainWindow::showEmptyPlace);
         });
         connect(dock, &QDockWidget::topLevelChanged, this,
@@ -67,6 +67,12 @@ void MainWindow::panelMade(PanelDock* dock, PanelBase* panel)
     say();
 }
 
+/// A dock whose tab was in front in a restored arrangement says that it is seen, though another was raised meanwhile.
+void MainWindow::followTab(PanelDock* dock)
+{
+    if (dock->facts().question.id == layouts_->question() && !dock->visibleRegion().isEmpty()) followFront(dock);
+}
+
 /// The panel in front: the status line spoke of another one.
 void MainWindow::followFront(PanelDock* dock)
 {
@@ -88,6 +94,7 @@ void MainWindow::showDock(PanelDock* dock)
     dock->show();
     dock->raise();
     dock->panel().setFocus();
+    followFront(dock);
 }
 
 void MainWindow::enterQuestion(const std::string& id)

@@ -97,10 +97,10 @@ struct OnlyWith {
 };
 
 struct Task {
-    std::string key;        ///< of the verb and in JSON: "deflection"
-    Text title;             ///< of its panel
-    std::string summary;    ///< of the help page, English
-    std::string question;   ///< of the window, under which its panels stand: "speed"
+    std::string key;       ///< of the verb and in JSON: "deflection"
+    Text title;            ///< of its panel
+    std::string summary;   ///< of the help page, English
+    std::string question;  ///< of the window, under which its panels stand: "speed"
     std::vector<Input> inputs;
     OneOf one_of = {};
     std::vector<OnlyWith> only_with = {};  ///< the command line refuses what says nothing

@@ -172,8 +172,7 @@ private:
 
     void removeEntry()
     {
-        std::erase_if(shop_.own.*list_,
-                      [&](const ShopEntry<T>& entry) { return entry.key == shop_.choice.*choice_; });
+        std::erase_if(shop_.own.*list_, [&](const ShopEntry<T>& entry) { return entry.key == shop_.choice.*choice_; });
         fill();
     }
 
@@ -232,14 +231,14 @@ void ShopDialog::fill()
                    tr("Lathe"));
     pages_->addTab(new ShopPage<shop::Chuck>(shop_, &ShopLibrary::chucks, &ShopChoice::chuck, "chuck", false),
                    tr("Chuck"));
-    pages_->addTab(new ShopPage<shop::Tailstock>(shop_, &ShopLibrary::tailstocks, &ShopChoice::tailstock, "tailstock",
-                                                 true),
-                   tr("Tailstock"));
+    pages_->addTab(
+        new ShopPage<shop::Tailstock>(shop_, &ShopLibrary::tailstocks, &ShopChoice::tailstock, "tailstock", true),
+        tr("Tailstock"));
     pages_->addTab(new ShopPage<shop::ToolSet>(shop_, &ShopLibrary::tool_sets, &ShopChoice::tools, "tools", false),
                    tr("Tools"));
-    pages_->addTab(new ShopPage<shop::BarMaterial>(shop_, &ShopLibrary::materials, &ShopChoice::material, "material",
-                                                   false),
-                   tr("Material"));
+    pages_->addTab(
+        new ShopPage<shop::BarMaterial>(shop_, &ShopLibrary::materials, &ShopChoice::material, "material", false),
+        tr("Material"));
     pages_->setCurrentIndex(std::max(0, shown));
 }
 

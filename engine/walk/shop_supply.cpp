@@ -22,7 +22,8 @@ cam::Job jobFor(const shop::Shop& shop, const Shaft& part, const project::Projec
         if (state.inputs.count(cam::jobRole) == 0 || cam::formRules(question, state)) return question.job;
     }
     task::Sources sources;
-    if (auto given = task::take<cam::JobInput>(state, cam::jobRole, stores, progress, sources)) return *std::move(given);
+    if (auto given = task::take<cam::JobInput>(state, cam::jobRole, stores, progress, sources))
+        return *std::move(given);
     cam::Job job = shop::jobOf(shop, part);
     shop::noteAssumed(shop, shop::usedBy(job), notes);
     return job;

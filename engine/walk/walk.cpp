@@ -5,11 +5,11 @@
 
 #include "engine/core/json.h"
 #include "engine/io/file.h"
-#include "engine/walk/walk_codes.h"
 #include "engine/shaft/shaft_item.h"
 #include "engine/task/edited_segments.h"
 #include "engine/task/memo.h"
 #include "engine/task/needed.h"
+#include "engine/walk/walk_codes.h"
 
 namespace lathelier::walk {
 namespace {
@@ -106,8 +106,7 @@ Walk::Walk(project::Project project, std::vector<Place> places, Supply supply, s
 
 const Place* Walk::place(const std::string& id) const
 {
-    const auto found =
-        std::find_if(places_.begin(), places_.end(), [&](const Place& place) { return place.id == id; });
+    const auto found = std::find_if(places_.begin(), places_.end(), [&](const Place& place) { return place.id == id; });
     return found == places_.end() ? nullptr : &*found;
 }
 
@@ -115,9 +114,11 @@ const project::PanelState& Walk::promised(const std::string& id) const
 {
     if (const Place* const there = place(id)) return promiseOf(*there).state;
     const std::lock_guard lock(mutex_);
-    Promise& promise = promises_[id];
-    promise.state = project::resolved(project_, id);
-    return promise.state;
+    const auto known = promises_.find(id);
+    if (known != promises_.end()) return known->second.state;
+    Promise other;
+    other.state = project::resolved(project_, id);
+    return promises_.emplace(id, std::move(other)).first->second.state;
 }
 
 const std::vector<Taken>& Walk::taken(const std::string& id) const
@@ -211,15 +212,13 @@ Walk::Given Walk::give(const Place& giver, const std::string& kind, Notes& notes
         throw error.with("of_place", giver.title);
     }
     for (const Note& note : answered->outcome.notes)
-        if (note.code.role == NoteRole::Assumed &&
-            std::none_of(notes.begin(), notes.end(), [&](const Note& known) {
+        if (note.code.role == NoteRole::Assumed && std::none_of(notes.begin(), notes.end(), [&](const Note& known) {
                 return known.code == note.code && known.values == note.values;
             }))
             notes.push_back(note);
     if (answered->outcome.products)
         for (const task::Product& product : answered->outcome.products({}))
-            if (product.kind == kind)
-                return {{kind, product.values(), {giver.id, {}, {}, {}}}, answered->is_synthetic};
+            if (product.kind == kind) return {{kind, product.values(), {giver.id, {}, {}, {}}}, answered->is_synthetic};
     if (!answered->outcome.errors.empty()) {
         Error error = answered->outcome.errors.front();
         throw error.with("of_place", giver.title);
@@ -294,7 +293,8 @@ std::shared_ptr<const PlaceAnswer> Walk::answer(const std::string& id, const Pro
         // the task reports it with all that it knows of the place
     }
     const std::string key = digestOf(there, state, stores_.get(), generation_);
-    const auto settled = stores_->of<Answers>()->of(id).find(key, progress, [&](const Progress&) { return answered(); });
+    const auto settled =
+        stores_->of<Answers>()->of(id).find(key, progress, [&](const Progress&) { return answered(); });
     if (settled->error) throw Error(*settled->error);
     return settled->answer;
 }

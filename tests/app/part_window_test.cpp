@@ -121,7 +121,7 @@ private slots:
         QVERIFY(dialog && dialog->isVisible());
         dialog->findChild<QLineEdit*>("chainFolder")->setText(folder_.filePath("chain"));
         QTest::mouseClick(dialog->findChild<QPushButton*>("runChainNow"), Qt::LeftButton);
-        QTRY_VERIFY2_WITH_TIMEOUT(isAnswered("proof"), qPrintable(window_->messages().text()), patience_ms);
+        QTRY_VERIFY2_WITH_TIMEOUT(isAnswered("proof"), qPrintable(window_->messages().plainText()), patience_ms);
         QVERIFY(box("proof").verdict.has_value());
         QVERIFY(QFile::exists(folder_.filePath("chain/job.json")));
         QVERIFY(QFile::exists(folder_.filePath("chain/report.html")));

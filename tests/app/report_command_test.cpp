@@ -31,7 +31,8 @@ private slots:
         session.save(project);
         auto table = panels();
         for (PanelFacts& facts : table)
-            facts.report = [](const project::PanelState& state, Stores&, const Language&, const Progress&) {
+            facts.report = [](const project::PanelState& state, Stores&, task::Sources&, const Language&,
+                              const Progress&) {
                 report::Document document;
                 document.title = std::string("Report of ") + state.inputs.at("file").path;
                 return document;
@@ -63,7 +64,8 @@ private slots:
             facts.missing = [](const project::PanelState& state) {
                 return state.inputs.count("file") ? std::vector<Text>() : std::vector<Text>{Text{"Scanned file"}};
             };
-            facts.report = [](const project::PanelState& state, Stores&, const Language&, const Progress&) {
+            facts.report = [](const project::PanelState& state, Stores&, task::Sources&, const Language&,
+                              const Progress&) {
                 report::Document document;
                 document.title = std::string("Report of ") + state.inputs.at("file").path;
                 document.sections = {{std::string("Answered"), {}}};

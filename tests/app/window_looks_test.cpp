@@ -79,9 +79,12 @@ private slots:
     {
         QTest::addColumn<QString>("theme");
         QTest::addColumn<QString>("language");
-        QTest::newRow("light") << "light" << "en";
-        QTest::newRow("dark") << "dark" << "en";
-        QTest::newRow("polish") << "light" << "pl";
+        QTest::newRow("light") << "light"
+                               << "en";
+        QTest::newRow("dark") << "dark"
+                              << "en";
+        QTest::newRow("polish") << "light"
+                                << "pl";
     }
     void looksAsApproved()
     {

@@ -13,10 +13,9 @@ constexpr int settling_ms = 150;  // a drag changes the project at every motion
 
 std::string answering(const walk::Walk& walk, const AskedQuestion& question)
 {
-    const auto found = std::find_if(question.panels.begin(), question.panels.end(),
-                                    [&](const std::string& panel) {
-                                        return !walk.promised(panel).inputs.empty() && walk.canAnswer(panel);
-                                    });
+    const auto found = std::find_if(question.panels.begin(), question.panels.end(), [&](const std::string& panel) {
+        return !walk.promised(panel).inputs.empty() && walk.canAnswer(panel);
+    });
     return found == question.panels.end() ? std::string() : *found;
 }
 

@@ -81,7 +81,7 @@ private slots:
         QCOMPARE(html.count("No answer: Scanned file is missing."), 2);
 
         for (PanelFacts& facts : table)
-            facts.report = [](const project::PanelState&, Stores&, const Language&,
+            facts.report = [](const project::PanelState&, Stores&, task::Sources&, const Language&,
                               const Progress&) -> report::Document {
                 throw Error(errors::fileNotFound, {{"path", std::string("gone.ply")}});
             };

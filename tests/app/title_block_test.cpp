@@ -85,7 +85,7 @@ private slots:
         session_->save(project);
         auto table = panels();
         for (PanelFacts& facts : table)
-            facts.report = [](const project::PanelState&, Stores&, const Language&, const Progress&) {
+            facts.report = [](const project::PanelState&, Stores&, task::Sources&, const Language&, const Progress&) {
                 report::Document document;
                 document.title = std::string("Report");
                 return document;

@@ -15993,11 +15993,11 @@
     </message>
     <message>
         <source>Stock, set-up, tools and cutting data, from JOB.json; else from the shop.</source>
-        <translation>Półfabrykat, mocowanie, narzędzia i parametry skrawania, z JOB.json; w przeciwnym razie z warsztatu.</translation>
+        <translation>Półfabrykat, ustawienie, narzędzia i parametry skrawania, z JOB.json; w przeciwnym razie z warsztatu.</translation>
     </message>
     <message>
         <source>SETUP.json; without a stock of its own it takes the job&apos;s bar; else from the shop.</source>
-        <translation>SETUP.json; bez własnego półfabrykatu bierze pręt zlecenia; w przeciwnym razie z warsztatu.</translation>
+        <translation>SETUP.json; bez własnego półfabrykatu bierze pręt zadania; w przeciwnym razie z warsztatu.</translation>
     </message>
     <message>
         <source>Shop</source>
@@ -16005,11 +16005,11 @@
     </message>
     <message>
         <source>Makes what is not given of machine, job and set-up, marked as assumed: SHOP.json, or built-in; empty: their steps are missing.</source>
-        <translation>Tworzy to, czego nie podano z maszyny, zlecenia i mocowania, oznaczone jako przyjęte: SHOP.json albo built-in; puste: brakuje ich kroków.</translation>
+        <translation>Tworzy to, czego nie podano z maszyny, zadania i ustawienia, oznaczone jako przyjęte: SHOP.json albo built-in; puste: brakuje ich kroków.</translation>
     </message>
     <message>
         <source>The elastic modulus is that of the project&apos;s shaft, {modulus_MPa} MPa, as in the question Machine; the cutting coefficients stay those of the set-up.</source>
-        <translation>Moduł sprężystości jest modułem wału z projektu, {modulus_MPa} MPa, jak w pytaniu Maszyna; współczynniki skrawania pozostają takie, jak w mocowaniu.</translation>
+        <translation>Moduł sprężystości jest modułem wału z projektu, {modulus_MPa} MPa, jak w pytaniu Maszyna; współczynniki skrawania pozostają takie, jak w ustawieniu.</translation>
     </message>
     <message>
         <source>Springs of the chuck from the library that the question Machine uses.</source>
@@ -16017,7 +16017,7 @@
     </message>
     <message>
         <source>Elastic constants from the library that the question Machine uses. The cutting coefficients stay those of the set-up.</source>
-        <translation>Stałe sprężyste z biblioteki, z której korzysta pytanie Maszyna. Współczynniki skrawania pozostają takie, jak w mocowaniu.</translation>
+        <translation>Stałe sprężyste z biblioteki, z której korzysta pytanie Maszyna. Współczynniki skrawania pozostają takie, jak w ustawieniu.</translation>
     </message>
     <message>
         <source>the number of a part, counted from 0</source>
@@ -16117,7 +16117,7 @@
     </message>
     <message>
         <source>The part&apos;s largest diameter is {diameter_mm} mm; bars are listed up to {largest_mm} mm. State a job with the bar at hand.</source>
-        <translation>Największa średnica części wynosi {diameter_mm} mm; pręty są wymienione do {largest_mm} mm. Podaj zlecenie z prętem, który jest dostępny.</translation>
+        <translation>Największa średnica części wynosi {diameter_mm} mm; pręty są wymienione do {largest_mm} mm. Podaj zadanie z prętem, który jest dostępny.</translation>
     </message>
     <message>
         <source>{what} is {found_mm} mm; the lathe “{lathe}” takes {most_mm} mm.</source>
@@ -16233,11 +16233,11 @@
     </message>
     <message>
         <source>a job or a set-up</source>
-        <translation>zlecenie albo mocowanie</translation>
+        <translation>zadanie albo ustawienie</translation>
     </message>
     <message>
         <source>Makes the job, set-up or spindle that is not given, from SHOP.json or the shop that is built-in; what nobody stated is marked as assumed.</source>
-        <translation>Tworzy zlecenie, mocowanie albo wrzeciono, których nie podano, z SHOP.json albo z warsztatu wbudowanego; to, czego nikt nie podał, jest oznaczone jako przyjęte.</translation>
+        <translation>Tworzy zadanie, ustawienie albo wrzeciono, których nie podano, z SHOP.json albo z warsztatu wbudowanego; to, czego nikt nie podał, jest oznaczone jako przyjęte.</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,7 @@
 #include "widgets/chain/chain_steps.h"
 #include "widgets/chain/chain_views.h"
 #include "widgets/deflection/deflection_panel.h"
+#include "widgets/drawing/drawing_panel.h"
 #include "widgets/turning/turning_panel.h"
 
 namespace lathelier {
@@ -107,8 +108,8 @@ private slots:
         session_->setWorkspace("proof");
         window_ = std::make_unique<MainWindow>(
             *session_, languages_,
-            std::vector<PanelFacts>{turning_panel::turningPanelFacts(), deflection_panel::deflectionPanelFacts(),
-                                    chain_panel::chainPanelFacts()});
+            std::vector<PanelFacts>{drawing_panel::drawingPanelFacts(), turning_panel::turningPanelFacts(),
+                                    deflection_panel::deflectionPanelFacts(), chain_panel::chainPanelFacts()});
         window_->resize(1280, 800);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
@@ -283,7 +284,7 @@ private slots:
         QTest::mouseClick(panel().views().takeFit(), Qt::LeftButton);
         QCOMPARE(session_->undoStack().count(), steps + 1);
         const project::Project& project = session_->project();
-        QCOMPARE(project.items.size(), std::size_t{2});
+        QCOMPARE(project.items.size(), std::size_t{1});
         const std::string item = project.panels.at("deflection").inputs.at("spindle").item;
         QCOMPARE(project.items.at(item).kind, std::string("spindle"));
         const auto machine = receptance::spindleOf(project.items.at(item).values);

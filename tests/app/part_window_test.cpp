@@ -14,6 +14,7 @@
 #include "engine/sample/sample.h"
 #include "tests/app/window_fixture.h"
 #include "tests/widgets/core/drop_files.h"
+#include "widgets/chain/chain_run_row.h"
 #include "widgets/core/shell/question_bar.h"
 #include "widgets/core/shell/question_box.h"
 
@@ -115,7 +116,8 @@ private slots:
         QCOMPARE(compare.inputs.begin()->first, std::string("copy"));
         window_->enterQuestion("proof");
         auto* run = window_->findChild<QPushButton*>("runChainWanted");
-        QTRY_VERIFY_WITH_TIMEOUT(run->isVisible() && run->isEnabled(), patience_ms);
+        const auto* row = window_->findChild<chain_panel::ChainRunRow*>();
+        QTRY_VERIFY_WITH_TIMEOUT(run->isEnabled() && row->looked() && !row->isLooking(), patience_ms);
         QTest::mouseClick(run, Qt::LeftButton);
         auto* dialog = window_->findChild<QDialog*>("runChain");
         QVERIFY(dialog && dialog->isVisible());

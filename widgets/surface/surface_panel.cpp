@@ -73,6 +73,7 @@ PanelFacts surfacePanelFacts()
     PanelFacts facts = factsOf(surface::surfaceTask(), "surface", "surface", roles, {}, beginning());
     facts.kinds = {&io::imageFiles()};  // a response opens the panels of chatter
     facts.item_inputs.clear();          // likewise
+    facts.alone = facts.kinds;          // the chain takes photographs too
     facts.roles = shownRoles();
     facts.part_inputs = {surface::beforeRole, surface::afterRole};
     facts.answer = answeredBy(answerAndPrepare);

@@ -192,7 +192,12 @@ private slots:
         QTRY_VERIFY(second.isCurrent());
         QVERIFY(answerOfPanels(both).state == State::Answered);
         QVERIFY(answerOfPanels(both).text.startsWith("20"));
-        first.openFiles({folder.filePath("not there")});
+        first.openFiles({file.fileName()});
+        QTRY_VERIFY(first.isCurrent());
+        second.openFiles({file.fileName()});
+        QTRY_VERIFY(second.isCurrent());
+        QVERIFY(QFile::remove(file.fileName()));
+        first.recompute();
         QTRY_VERIFY(first.error().has_value());
         QVERIFY(answerOfPanels(both).text.startsWith("20"));
         QVERIFY(answerOfPanels({&first}).state == State::Failed);

@@ -14,10 +14,10 @@
 #include "app/gui/settings.h"
 #include "widgets/core/files/kind_finder.h"
 #include "widgets/core/language.h"
-#include "widgets/core/walk/part_answers.h"
 #include "widgets/core/panel/message_log.h"
 #include "widgets/core/shell/empty_place.h"
 #include "widgets/core/shell/question_bar.h"
+#include "widgets/core/walk/part_answers.h"
 
 class QLabel;
 class QToolButton;

@@ -123,8 +123,8 @@ void MainWindow::makeMenus()
                 menus_[entry] = menu->addMenu(QString());
         }
     };
-    add("file", {"new", "open", "nextPart", "recent", "sample", "", "save", "saveAs", "saveRecipe", "", "shop", "titleBlock",
-                 "reportHtml", "reportPdf", "", "quit"});
+    add("file", {"new", "open", "nextPart", "recent", "sample", "", "save", "saveAs", "saveRecipe", "", "shop",
+                 "titleBlock", "reportHtml", "reportPdf", "", "quit"});
     add("edit", {"undo", "redo", "", "settings"});
     add("view", {"questions", "panels", ""});
     for (PanelDock* dock : docks_) menus_["panels"]->addAction(&dock->showAction());

@@ -60,12 +60,12 @@ struct Part {
 
 /// One part is shown: the project itself. The others wait in a list (parts.h).
 struct Project : Part {
-    std::string title;                     ///< title of the project; may be empty
+    std::string title;               ///< title of the project; may be empty
     std::string workspace = "scan";  ///< id of the question that is shown
-    bool recipe = false;                   ///< opened, it begins a new project (recipe.h)
-    Values shop;                           ///< choice of machine, tools, material by key; empty: that of the settings
-    std::vector<Part> others;              ///< the parts that are not shown, in order
-    std::size_t place = 0;                 ///< of the shown part in the list of all: at most others.size()
+    bool recipe = false;             ///< opened, it begins a new project (recipe.h)
+    Values shop;                     ///< choice of machine, tools, material by key; empty: that of the settings
+    std::vector<Part> others;        ///< the parts that are not shown, in order
+    std::size_t place = 0;           ///< of the shown part in the list of all: at most others.size()
     friend bool operator==(const Project&, const Project&) = default;
 };
 

@@ -97,10 +97,10 @@ report::Answer answer(const LobeResult& result, const Language& language)
     answer.values = {{"frequency", fixed(*result.frequency_of_minimum_hz, 1, language)},
                      {"lobes", static_cast<std::int64_t>(result.lobes_in_range)}};
     if (result.isRelative()) {
-        answer.sentence =
-            LT_TEXT("Engine",
-                    "Depths are multiples of the least limit, for K_r is not given · chatter at {frequency} Hz · lobes in "
-                    "the range: {lobes}");
+        answer.sentence = LT_TEXT(
+            "Engine",
+            "Depths are multiples of the least limit, for K_r is not given · chatter at {frequency} Hz · lobes in "
+            "the range: {lobes}");
         return answer;
     }
     answer.value = result.minimum_depth_mm;

@@ -12,9 +12,9 @@
 #include "engine/cam/job_file.h"
 #include "engine/cam/task/turn_task.h"
 #include "engine/deflection/deflection_task.h"
+#include "engine/gcode/program_item.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
-#include "engine/gcode/program_item.h"
 #include "engine/receptance/spindle/spindle_file.h"
 #include "engine/receptance/spindle/spindle_item.h"
 #include "engine/sample/sample.h"
@@ -58,8 +58,7 @@ class TaskAnswersTest : public QObject {
     static std::string textOf(const project::Item& item)
     {
         if (item.kind == shaftItem) return io::shaftText(*shaftOf(item.values));
-        if (item.kind == receptance::spindleItem)
-            return receptance::spindleText(*receptance::spindleOf(item.values));
+        if (item.kind == receptance::spindleItem) return receptance::spindleText(*receptance::spindleOf(item.values));
         if (item.kind == gcode::programItem) return gcode::programOf(item.values)->text;
         return {};
     }

@@ -81,8 +81,7 @@ void landRun(Session& session, const chain::ChainQuestion& question, const chain
         for (const char* panel : {"shaft", "lobes", "turning"}) giveFile(project, panel, "spindle", question.machine);
         giveFile(project, "deflection", "setup", question.setup);
         giveFile(project, "compare", "copy", question.copy);
-        if (photographs && photographs->state == chain::StepState::Done)
-            givePhotographs(project, question, dossier);
+        if (photographs && photographs->state == chain::StepState::Done) givePhotographs(project, question, dossier);
     });
 }
 

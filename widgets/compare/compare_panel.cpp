@@ -65,8 +65,7 @@ PanelFacts comparePanelFacts()
 }
 
 ComparePanel::ComparePanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, comparePanelFacts(), panelInputs(), parent),
-      views_(new CompareViews)
+    : TaskPanel(owner, comparePanelFacts(), panelInputs(), parent), views_(new CompareViews)
 {
     setViews(views_, views_->primaryViews());
     addSwapButton();

@@ -6,10 +6,10 @@
 #include <QUndoStack>
 #include <functional>
 
-#include "engine/walk/walk.h"
 #include "engine/project/project.h"
 #include "engine/project/recipe.h"
 #include "engine/task/stores.h"
+#include "engine/walk/walk.h"
 #include "widgets/core/files/source_watch.h"
 
 namespace lathelier {
@@ -131,7 +131,7 @@ private:
     std::shared_ptr<Stores> stores_;
     std::vector<walk::Place> places_;
     walk::Supply supply_;
-    int generation_ = 0;                             ///< counts how often changed files were taken
+    int generation_ = 0;                              ///< counts how often changed files were taken
     mutable std::shared_ptr<const walk::Walk> walk_;  ///< null: the project has changed since
     SourceWatch* watch_;
 };

@@ -47,8 +47,7 @@ PanelFacts correctionPanelFacts()
 }
 
 CorrectionPanel::CorrectionPanel(Session& owner, QWidget* parent)
-    : TurningPanel(owner, correctionPanelFacts(), panelInputs(), parent),
-      views_(new CorrectionViews)
+    : TurningPanel(owner, correctionPanelFacts(), panelInputs(), parent), views_(new CorrectionViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &CorrectionViews::taken, this, &CorrectionPanel::take);

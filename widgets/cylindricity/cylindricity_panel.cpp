@@ -34,9 +34,7 @@ PanelFacts cylindricityPanelFacts()
 }
 
 CylindricityPanel::CylindricityPanel(Session& session, QWidget* parent)
-    : TaskPanel(session, cylindricityPanelFacts(), panelInputs(),
-                parent),
-      views_(new CylindricityViews)
+    : TaskPanel(session, cylindricityPanelFacts(), panelInputs(), parent), views_(new CylindricityViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &CylindricityViews::sectionRequested, this, &CylindricityPanel::offerSection);

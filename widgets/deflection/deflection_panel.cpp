@@ -46,8 +46,7 @@ PanelFacts deflectionPanelFacts()
 }
 
 DeflectionPanel::DeflectionPanel(Session& owner, QWidget* parent)
-    : TurningPanel(owner, deflectionPanelFacts(), panelInputs(), parent),
-      views_(new DeflectionViews)
+    : TurningPanel(owner, deflectionPanelFacts(), panelInputs(), parent), views_(new DeflectionViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &DeflectionViews::notWritten, this, &DeflectionPanel::reportWriteFailure);

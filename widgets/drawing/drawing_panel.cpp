@@ -62,8 +62,7 @@ PanelFacts drawingPanelFacts()
 }
 
 DrawingPanel::DrawingPanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, drawingPanelFacts(), panelInputs(), parent),
-      views_(new DrawingViews)
+    : TaskPanel(owner, drawingPanelFacts(), panelInputs(), parent), views_(new DrawingViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &DrawingViews::shaftRequested, this, &DrawingPanel::keepShaft);

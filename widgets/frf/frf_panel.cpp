@@ -36,8 +36,7 @@ PanelFacts frfPanelFacts()
 }
 
 FrfPanel::FrfPanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, frfPanelFacts(), panelInputs(), parent),
-      views_(new FrfViews)
+    : TaskPanel(owner, frfPanelFacts(), panelInputs(), parent), views_(new FrfViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &FrfViews::modeDragged, this, &FrfPanel::dragMode);

@@ -48,8 +48,7 @@ PanelFacts lobesPanelFacts()
 }
 
 LobesPanel::LobesPanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, lobesPanelFacts(), panelInputs(), parent),
-      views_(new LobesViews)
+    : TaskPanel(owner, lobesPanelFacts(), panelInputs(), parent), views_(new LobesViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &LobesViews::operatingPointMoved, this, &LobesPanel::moveOperatingPoint);

@@ -31,9 +31,7 @@ PanelFacts longitudinalPanelFacts()
 }
 
 LongitudinalPanel::LongitudinalPanel(Session& owner, QWidget* parent)
-    : SpindlePanel(owner, longitudinalPanelFacts(),
-                   panelInputs(), parent),
-      views_(new LongitudinalViews(markedAngle()))
+    : SpindlePanel(owner, longitudinalPanelFacts(), panelInputs(), parent), views_(new LongitudinalViews(markedAngle()))
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &LongitudinalViews::sectionRequested, this, &LongitudinalPanel::chooseSection);

@@ -45,9 +45,7 @@ PanelFacts programPanelFacts()
 }
 
 ProgramPanel::ProgramPanel(Session& owner, QWidget* parent)
-    : TurningPanel(owner, programPanelFacts(), panelInputs(),
-                   parent),
-      views_(new ProgramViews)
+    : TurningPanel(owner, programPanelFacts(), panelInputs(), parent), views_(new ProgramViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &ProgramViews::edited, this, &ProgramPanel::keepDraft);

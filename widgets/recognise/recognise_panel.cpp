@@ -47,8 +47,7 @@ PanelFacts recognisePanelFacts()
 }
 
 RecognisePanel::RecognisePanel(Session& session, QWidget* parent)
-    : TaskPanel(session, recognisePanelFacts(), panelInputs(), parent),
-      views_(new RecogniseViews)
+    : TaskPanel(session, recognisePanelFacts(), panelInputs(), parent), views_(new RecogniseViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_->rows(), &RowsView::sizesAccepted, this, &RecognisePanel::toggle);

@@ -41,8 +41,7 @@ PanelFacts roundnessPanelFacts()
 }
 
 RoundnessPanel::RoundnessPanel(Session& owner, QWidget* parent)
-    : SpindlePanel(owner, roundnessPanelFacts(), panelInputs(), parent),
-      views_(new RoundnessViews(markedAngle()))
+    : SpindlePanel(owner, roundnessPanelFacts(), panelInputs(), parent), views_(new RoundnessViews(markedAngle()))
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &RoundnessViews::sectionRequested, this, &RoundnessPanel::chooseSection);

@@ -43,8 +43,7 @@ PanelFacts shaftPanelFacts()
 }
 
 ShaftPanel::ShaftPanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, shaftPanelFacts(), panelInputs(), parent),
-      views_(new ShaftViews)
+    : TaskPanel(owner, shaftPanelFacts(), panelInputs(), parent), views_(new ShaftViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &ShaftViews::endMoved, this, &ShaftPanel::moveEnd);

@@ -50,8 +50,7 @@ PanelFacts speedPanelFacts()
 }
 
 SpeedPanel::SpeedPanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, speedPanelFacts(), panelInputs(), parent),
-      views_(new SpeedViews)
+    : TaskPanel(owner, speedPanelFacts(), panelInputs(), parent), views_(new SpeedViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &SpeedViews::valueEntered, this, [this](const QString& key, double value) { take(key, value); });

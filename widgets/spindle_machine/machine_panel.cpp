@@ -47,9 +47,7 @@ PanelFacts machinePanelFacts()
 }
 
 MachinePanel::MachinePanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, machinePanelFacts(), panelInputs(),
-                parent),
-      views_(new MachineViews)
+    : TaskPanel(owner, machinePanelFacts(), panelInputs(), parent), views_(new MachineViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &MachineViews::spindleRequested, this, [this] { offer(receptance::spindleItem); });

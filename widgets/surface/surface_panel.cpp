@@ -88,8 +88,7 @@ PanelFacts surfacePanelFacts()
 }
 
 SurfacePanel::SurfacePanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, surfacePanelFacts(), panelInputs(), parent),
-      views_(new SurfaceViews)
+    : TaskPanel(owner, surfacePanelFacts(), panelInputs(), parent), views_(new SurfaceViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &SurfaceViews::sendRequested, this, [this] { offer(stability::marksItem); });

@@ -32,9 +32,7 @@ PanelFacts trajectoryPanelFacts()
 }
 
 TrajectoryPanel::TrajectoryPanel(Session& owner, QWidget* parent)
-    : SpindlePanel(owner, trajectoryPanelFacts(), panelInputs(),
-                   parent),
-      views_(new TrajectoryViews(markedAngle()))
+    : SpindlePanel(owner, trajectoryPanelFacts(), panelInputs(), parent), views_(new TrajectoryViews(markedAngle()))
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &TrajectoryViews::sectionRequested, this, &TrajectoryPanel::chooseSection);

@@ -66,8 +66,7 @@ PanelFacts turningPanelFacts()
 }
 
 TurningPanel::TurningPanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, turningPanelFacts(), panelInputs(), parent),
-      views_(new TurningViews)
+    : TaskPanel(owner, turningPanelFacts(), panelInputs(), parent), views_(new TurningViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &TurningViews::operationSwitched, this, &TurningPanel::switchOperation);

@@ -52,15 +52,14 @@ public:
     /// `title`: kept for the length of the program; none: "Fake".
     static PanelFacts factsOf(const std::string& id, const std::string& question = "copy", const char* title = "Fake")
     {
-        return {
-            id,
-            Text{title},
-            "compare",
-            questionOf(question),
-            [=](Session& owner) { return new FakePanel(owner, factsOf(id, question, title)); },
-            [](const project::PanelState&, Stores&, task::Sources&, const Language&, const Progress&) {
-                return report::Document{};
-            }};
+        return {id,
+                Text{title},
+                "compare",
+                questionOf(question),
+                [=](Session& owner) { return new FakePanel(owner, factsOf(id, question, title)); },
+                [](const project::PanelState&, Stores&, task::Sources&, const Language&, const Progress&) {
+                    return report::Document{};
+                }};
     }
 
     QString shown() const { return views_->text(); }

@@ -199,8 +199,8 @@ void InputColumn::showItems(const project::Project& project)
 void InputColumn::showTaken(const std::vector<walk::Taken>& taken)
 {
     for (const InputRole& role : inputs_.roles) {
-        const auto found = std::find_if(taken.begin(), taken.end(),
-                                        [&](const walk::Taken& one) { return one.role == role.role; });
+        const auto found =
+            std::find_if(taken.begin(), taken.end(), [&](const walk::Taken& one) { return one.role == role.role; });
         boxes_.at(role.role)->setTaken(found == taken.end() ? nullptr : &*found);
     }
 }

@@ -76,7 +76,7 @@ signals:
     void resultShown();
     void messageRaised(const lathelier::Message& message);
     void sampleRequested();
-    void panelRequested(const std::string& id);  ///< request to show another panel
+    void panelRequested(const std::string& id);   ///< request to show another panel
     void filesDropped(const QStringList& paths);  ///< on the panel; not connected: it opens them itself
     void reportRequested(const QString& suffix);  ///< request for a report of this panel: "html" or "pdf"
 

@@ -12,9 +12,9 @@
 #include "engine/core/progress.h"
 #include "engine/core/texts.h"
 #include "engine/io/file_kind.h"
-#include "engine/walk/place.h"
 #include "engine/project/project.h"
 #include "engine/report/document.h"
+#include "engine/walk/place.h"
 
 namespace lathelier::task {
 struct Task;

@@ -10,7 +10,7 @@
 namespace lathelier::plot {
 namespace {
 
-constexpr int lowestWithLegend = 10;  // height in text lines below which the legend is omitted
+constexpr int lowestWithLegend = 10;  // height in text lines below which a legend of one row is omitted
 
 /// Ticker with the ticks and labels of the report.
 class ChartTicker : public QCPAxisTicker {
@@ -134,8 +134,10 @@ void PlotCanvas::showLegend(bool shown)
 void PlotCanvas::placeLegend()
 {
     // In a low plot the space is used for the curves.
-    const bool shown =
-        parts_->legend_wanted && !isSmall() && (height() == 0 || height() > lowestWithLegend * fontMetrics().height());
+    const int columns = std::max(1, plot_->legend->wrap());
+    const int rows = (plot_->legend->itemCount() + columns - 1) / columns;
+    const int lowest = (lowestWithLegend + 2 * std::max(0, rows - 1)) * fontMetrics().height();
+    const bool shown = parts_->legend_wanted && !isSmall() && (height() == 0 || height() > lowest);
     // Below the axes, so that it covers no curve; removed from the layout when empty, since it would narrow the column.
     QCPLayoutGrid* grid = plot_->plotLayout();
     const bool there = grid->hasElement(2, 0);
@@ -288,8 +290,8 @@ void PlotCanvas::fitTexts()
 void PlotCanvas::sizeChosen()
 {
     parts_->title->setShown(!isSmall());
-    placeLegend();
     fitTexts();
+    placeLegend();
     redraw();
 }
 
@@ -311,8 +313,8 @@ void PlotCanvas::changeEvent(QEvent* event)
 void PlotCanvas::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    placeLegend();
     fitTexts();
+    placeLegend();
     redraw();  // the plot was resized before this event, with the old texts
 }
 

@@ -84,7 +84,9 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
     std::vector<AskedQuestion> asked;
     for (const Question& question : questions_) {
         asked.push_back({question.id, {}});
-        for (const PanelDock* dock : docksIn(docks_, question.id)) asked.back().panels.push_back(dock->facts().id);
+        std::vector<std::string>& speakers = asked.back().panels;
+        for (const PanelDock* dock : docksIn(docks_, question.id))
+            speakers.insert(dock->facts().speaks_first ? speakers.begin() : speakers.end(), dock->facts().id);
     }
     answers_ = std::make_unique<PartAnswers>(session_, std::move(asked));
     connect(answers_.get(), &PartAnswers::answered, this, &MainWindow::answerQuestion);

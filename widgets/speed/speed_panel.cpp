@@ -44,6 +44,7 @@ PanelFacts speedPanelFacts()
         return is_there ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "Spindle")};
     };
     facts.has_work = {};
+    facts.speaks_first = true;
     facts.answer = answeredBy(stability::answerSpeed);
     facts.make = [](Session& session) -> PanelBase* { return new SpeedPanel(session); };
     return facts;

@@ -97,6 +97,9 @@ struct PanelFacts {
     /// Roles of inputs specific to one part, which a recipe excludes.
     std::vector<std::string> part_inputs = {};
 
+    /// Its answer stands for its question, before those of the panels before it.
+    bool speaks_first = false;
+
     const std::string& stateKey() const { return state.empty() ? id : state; }
 };
 

@@ -11,12 +11,13 @@ namespace {
 
 constexpr int settling_ms = 150;  // a drag changes the project at every motion
 
-std::string answering(const walk::Walk& walk, const AskedQuestion& question)
+/// Those of the question that have their inputs, in its order.
+std::vector<std::string> answering(const walk::Walk& walk, const AskedQuestion& question)
 {
-    const auto found = std::find_if(question.panels.begin(), question.panels.end(), [&](const std::string& panel) {
-        return !walk.promised(panel).inputs.empty() && walk.canAnswer(panel);
-    });
-    return found == question.panels.end() ? std::string() : *found;
+    std::vector<std::string> ready;
+    for (const std::string& panel : question.panels)
+        if (!walk.promised(panel).inputs.empty() && walk.canAnswer(panel)) ready.push_back(panel);
+    return ready;
 }
 
 PartAnswer answerBy(const walk::Walk& walk, const std::string& panel, const Language& language,
@@ -64,12 +65,13 @@ void PartAnswers::mark()
     task_.cancel();
     board_ = std::make_shared<Board>();  // what is still written is of the state before
     for (const AskedQuestion& question : questions_) {
-        const std::string panel = answering(*walk, question);
-        const std::string digest = panel.empty() ? std::string() : panel + walk->digest(panel);
+        const std::vector<std::string> panels = answering(*walk, question);
+        std::string digest;
+        for (const std::string& panel : panels) digest += panel + walk->digest(panel);
         if (digest == digests_[question.id]) continue;
         digests_[question.id] = digest;
         PartAnswer& answer = answers_[question.id];
-        if (panel.empty())
+        if (panels.empty())
             answer = {};
         else
             answer.state = PartAnswer::State::Computing;
@@ -85,9 +87,12 @@ void PartAnswers::begin()
         [walk = session_.walk(), questions = questions_, board = board_,
          language = screenLanguage()](const Progress& progress) -> std::shared_ptr<const void> {
             for (const AskedQuestion& question : questions) {
-                const std::string panel = answering(*walk, question);
-                if (panel.empty()) continue;
-                PartAnswer made = answerBy(*walk, panel, language, progress);
+                const std::vector<std::string> panels = answering(*walk, question);
+                if (panels.empty()) continue;
+                PartAnswer made = answerBy(*walk, panels.front(), language, progress);
+                for (std::size_t i = 1; i < panels.size() && made.state == PartAnswer::State::Failed; ++i)
+                    if (PartAnswer other = answerBy(*walk, panels[i], language, progress); other.answer)
+                        made = std::move(other);
                 const std::lock_guard lock(board->mutex);
                 board->done[question.id] = std::move(made);
             }

@@ -18,7 +18,7 @@ namespace lathelier {
 
 class Session;
 
-/// A question with the panels that can answer it; the first of them that has its inputs does.
+/// A question with the panels that can answer it; the first of them that has its inputs and an answer does.
 struct AskedQuestion {
     std::string id;
     std::vector<std::string> panels;

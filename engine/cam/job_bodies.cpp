@@ -107,7 +107,7 @@ Shaft heldPart(const Shaft& part, const Job& job)
     return body;
 }
 
-Interval usedSpeeds_rpm(const Job& job)
+Interval usedSpeeds(const Job& job)
 {
     const double slowest_m_min =
         std::min(job.cutting.rough.cutting_speed_m_min, job.cutting.finish.cutting_speed_m_min);

@@ -32,6 +32,6 @@ Shaft mirrored(const Shaft& part);
 Shaft heldPart(const Shaft& part, const Job& job);
 
 /// From half the slowest speed of the cutting data on the bar to the highest speed of the machine.
-Interval usedSpeeds_rpm(const Job& job);
+Interval usedSpeeds(const Job& job);
 
 }  // namespace lathelier::cam

@@ -151,7 +151,7 @@ void ChainSteps::planSpeeds()
         machine_.noteMachine();
     }
     StepRequest speeds = asked("speeds", {}, {{"shaft", held}, {"spindle", machine_.spindleFile()}});
-    if (machine_.job()) set(speeds.given, "speed_rpm", std::vector<Interval>{cam::usedSpeeds_rpm(*machine_.job())});
+    if (machine_.job()) set(speeds.given, "speed_rpm", std::vector<Interval>{cam::usedSpeeds(*machine_.job())});
     results_->speeds = runner_.run(speeds, share(0.5, 0.55, LT_TEXT("Engine", "Stable depths and speeds")));
 }
 

@@ -46,7 +46,7 @@ Supply supplyOf(const shop::StatedShop& stated)
     supply.held = [shop](const Shaft& part, const project::Project& project, Stores& stores, const Progress& progress,
                          Notes& notes) {
         const cam::Job job = jobFor(shop, part, project, stores, progress, notes);
-        return HeldPart{cam::heldPart(part, job), cam::usedSpeeds_rpm(job)};
+        return HeldPart{cam::heldPart(part, job), cam::usedSpeeds(job)};
     };
     return supply;
 }

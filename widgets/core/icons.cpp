@@ -27,7 +27,7 @@ public:
         const QPalette::ColorGroup group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
         const QPalette::ColorRole role = mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::WindowText;
         QByteArray svg = file.readAll();
-        const QColor colour = palette.color(group, role);
+        const QColor& colour = palette.color(group, role);
         svg.replace("currentColor", colour.name().toLatin1());
         QSvgRenderer renderer(svg);
         if (colour.alpha() == 255) return renderer.render(painter, QRectF(rect));

@@ -110,7 +110,7 @@ QSize QuestionBox::minimumSizeHint() const
 QColor QuestionBox::answerColour() const
 {
     const bool dark = palette().color(QPalette::Window).lightness() < 128;
-    const QColor faint = palette().color(QPalette::PlaceholderText);
+    QColor faint = palette().color(QPalette::PlaceholderText);
     if (answer_.state == State::Failed) return dark ? QColor(0xff, 0x80, 0x60) : QColor(0xa3, 0x20, 0x20);
     if (answer_.state != State::Answered) return faint;
     if (!answer_.verdict) return palette().color(QPalette::WindowText);

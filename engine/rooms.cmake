@@ -25,7 +25,7 @@ room(cad USES core shaft io report project task beam receptance registration fea
 room(cam USES core shaft io report project task cad gcode cutting stock beam receptance stability LINKS fmt::fmt)
 room(shop USES core shaft io report project task beam receptance cutting gcode stock deflection cam LINKS fmt::fmt)
 room(surface USES core signal io report project task stability LINKS fmt::fmt)
-room(chain USES core shaft io report project task beam receptance stability gcode cutting stock deflection registration features cad cam shop surface LINKS fmt::fmt)
 room(walk USES core shaft io report project task beam receptance registration features drawing stability gcode cutting stock deflection cad cam shop)
+room(chain USES core shaft io report project task beam receptance stability gcode cutting stock deflection registration features cad cam shop surface walk LINKS fmt::fmt)
 room(verify USES core io project report task form registration receptance stability deflection LINKS fmt::fmt)
 room(sample USES core io report form beam registration receptance stability gcode stock cutting cam deflection surface project LINKS fmt::fmt)

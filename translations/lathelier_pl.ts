@@ -15996,8 +15996,8 @@
         <translation>Półfabrykat, ustawienie, narzędzia i parametry skrawania, z JOB.json; w przeciwnym razie z warsztatu.</translation>
     </message>
     <message>
-        <source>SETUP.json; without a stock of its own it takes the job&apos;s bar; else from the shop.</source>
-        <translation>SETUP.json; bez własnego półfabrykatu bierze pręt zadania; w przeciwnym razie z warsztatu.</translation>
+        <source>SETUP.json; without a stock of its own it takes the job&apos;s bar; else from the shop, where the job is too or a SHOP.json is stated.</source>
+        <translation>SETUP.json; bez własnego półfabrykatu bierze pręt zadania; w przeciwnym razie z warsztatu, gdy zadanie też jest z niego albo podano SHOP.json.</translation>
     </message>
     <message>
         <source>Shop</source>

@@ -112,8 +112,12 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
     useTheme();
 }
 
+/// Called at every change of the project: its shop is read only where that has changed.
 void MainWindow::useShop()
 {
+    const Values& stated = session_.project().shop;
+    if (usedShop_ && *usedShop_ == stated) return;
+    usedShop_ = stated;
     session_.setSupply(walk::supplyOf(shopOf(session_.project())));
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/gui/command_palette.h"
@@ -101,6 +102,7 @@ private:
     Languages& languages_;
     Settings settings_;
     ProjectFiles files_;
+    std::optional<Values> usedShop_;        ///< Project::shop that the supply was made of
     std::unique_ptr<PartAnswers> answers_;  ///< of the questions, from the background
     std::vector<Question> questions_;
     KindFinder finder_;  ///< of all files that any panel works on

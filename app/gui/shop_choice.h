@@ -8,7 +8,8 @@ namespace lathelier {
 
 class Session;
 
-/// What cannot be read (of a later version, damaged) is left out.
+/// Of the project's text or the settings, which are read. What cannot be read (of a later version, damaged) is left
+/// out.
 shop::StatedShop shopOf(const project::Project& project);
 
 /// Of the settings, as Project::shop.

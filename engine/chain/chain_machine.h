@@ -28,7 +28,7 @@ public:
     const std::string& jobFile() const { return jobFile_; }          ///< empty: neither given nor of the shop
     const std::string& spindleFile() const { return spindleFile_; }  ///< likewise
     const std::string& post() const { return post_; }
-    bool hasSetup() const { return !question_.setup.empty() || shop_; }
+    bool hasSetup() const { return !question_.setup.empty() || (shop_ && question_.makesSetup()); }
 
     /// Precondition: hasSetup(), and a job where the set-up is of the shop. Errors of loadSetup(), with the path.
     deflection::HeldSetup setup() const;

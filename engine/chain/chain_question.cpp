@@ -39,10 +39,12 @@ const std::vector<Field<ChainQuestion>>& fieldsOf(const ChainQuestion*)
         field("job", &Q::job,
               labelled(LT_TEXT("Engine", "Job"),
                        LT_TEXT("Engine", "Stock, set-up, tools and cutting data, from JOB.json; else from the shop."))),
-        field("setup", &Q::setup,
-              labelled(LT_TEXT("Engine", "Set-up of deflection"),
-                       LT_TEXT("Engine",
-                               "SETUP.json; without a stock of its own it takes the job's bar; else from the shop."))),
+        field(
+            "setup", &Q::setup,
+            labelled(LT_TEXT("Engine", "Set-up of deflection"),
+                     LT_TEXT("Engine",
+                             "SETUP.json; without a stock of its own it takes the job's bar; else from the shop, where "
+                             "the job is too or a SHOP.json is stated."))),
         field("shop", &Q::shop,
               labelled(LT_TEXT("Engine", "Shop"),
                        LT_TEXT("Engine",

@@ -43,6 +43,10 @@ struct ChainQuestion {
     std::string shop_text;                                ///< of a project, in place of the file: the text of SHOP.json
     Values recognition;                                   ///< parameters of the first step
     Values reading;                                       ///< values that files may leave unstated
+
+    /// Whether the shop makes a set-up that is not given: beside a given job only where a shop was stated, since the
+    /// deflection of somebody's job is not predicted with an assumed machine unasked.
+    bool makesSetup() const { return job.empty() || shop != shop::builtInName || !shop_text.empty(); }
 };
 
 /// All except scan, shop_text, recognition and reading, which are separate arguments of the command line.

@@ -29,11 +29,7 @@ const task::Input* inputOf(const task::Task& task, const char* kind)
 bool isReplaced(const project::PanelState& state, const task::Task& task, const task::Input& input)
 {
     if (task::isReplaceable(task, input) && !task.one_of.together && !task::givenOf(task, state).empty()) return true;
-    const auto given = [&](const std::string& key) { return task::isGiven(task, state, key); };
-    return std::any_of(task.only_with.begin(), task.only_with.end(), [&](const task::OnlyWith& rule) {
-        return std::find(rule.keys.begin(), rule.keys.end(), input.role) != rule.keys.end() &&
-               std::none_of(rule.with.begin(), rule.with.end(), given);
-    });
+    return task::saysNothing(task, state, input);
 }
 
 /// The input of this kind of item; nullptr: the task has none, or it is not free.
@@ -77,11 +73,11 @@ bool bringsBar(const project::PanelState& state)
 }
 
 deflection::HeldSetup setupFor(const project::PanelState& state, const task::Task& task, const Shop& shop,
-                               const Shaft& part)
+                               const Shaft& part, const cam::Job* job)
 {
     const task::Input* const stock = inputOf(task, shaftItem);
     if (stock && task::sourceOf(state, stock->role)) return {setupOfStock(shop, part), {}};
-    deflection::HeldSetup held = setupOf(shop, jobOf(shop, part));
+    deflection::HeldSetup held = setupOf(shop, job ? *job : jobOf(shop, part));
     if (bringsBar(state)) held.stock.reset();
     return held;
 }
@@ -99,7 +95,8 @@ bool wantsPart(const project::PanelState& state, const task::Task& task)
     return freeJob(state, task) || freeInput(state, task, deflection::setupItem);
 }
 
-void fillFromShop(project::PanelState& state, const task::Task& task, const Shop& shop, const Shaft* part, Notes& notes)
+void fillFromShop(project::PanelState& state, const task::Task& task, const Shop& shop, const Shaft* part, Notes& notes,
+                  const cam::Job* job)
 {
     UsedEntries used;
     const auto use = [&](const UsedEntries& more) {
@@ -107,14 +104,16 @@ void fillFromShop(project::PanelState& state, const task::Task& task, const Shop
                 used.tools || more.tools, used.material || more.material};
     };
     if (const task::Input* const input = part ? freeJob(state, task) : nullptr) {
-        const cam::Job job = jobOf(shop, *part);
-        take(state, *input, jobName, cam::valuesOf(job));
-        use(usedBy(job));
+        const cam::Job made = jobOf(shop, *part);
+        take(state, *input, jobName, cam::valuesOf(made));
+        use(usedBy(made));
     }
     if (const task::Input* const input = part ? freeInput(state, task, deflection::setupItem) : nullptr) {
-        const deflection::HeldSetup held = setupFor(state, task, shop, *part);
+        const deflection::HeldSetup held = setupFor(state, task, shop, *part, job);
         take(state, *input, setupName, deflection::valuesOf(held));
-        use(usedBy(held.setup));
+        UsedEntries of_setup = usedBy(held.setup);
+        of_setup.tools = !job;  // else the finishing tool is that of the given job
+        use(of_setup);
     }
     if (const task::Input* const input = freeSpindle(state, task)) {
         take(state, *input, spindleName, receptance::toValues(chuckFaceOf(shop)));

@@ -32,7 +32,8 @@ bool wantsPart(const project::PanelState& state, const task::Task& task);
 /// drawn, of a task with a given stock this stock; nullptr: jobs and set-ups are not filled. A set-up brings its bar
 /// unless the task has a stock, or a program that brings its own. Errors: those of jobOf() (shop_job.h). Notes: ofShop,
 /// once for each used entry of the built-in library that `notes` does not name yet.
-void fillFromShop(project::PanelState& state, const task::Task& task, const Shop& shop, const Shaft* part,
-                  Notes& notes);
+/// `job`: given for the part elsewhere; the set-up is that of this job. nullptr: that of the shop's.
+void fillFromShop(project::PanelState& state, const task::Task& task, const Shop& shop, const Shaft* part, Notes& notes,
+                  const cam::Job* job = nullptr);
 
 }  // namespace lathelier::shop

@@ -14,6 +14,16 @@ inline bool isReplaceable(const Task& task, const Input& input)
     return std::find(keys.begin(), keys.end(), input.role) != keys.end();
 }
 
+/// Whether the input belongs to others (Task::only_with) of which none is given.
+inline bool saysNothing(const Task& task, const project::PanelState& state, const Input& input)
+{
+    return std::any_of(task.only_with.begin(), task.only_with.end(), [&](const OnlyWith& rule) {
+        return std::find(rule.keys.begin(), rule.keys.end(), input.role) != rule.keys.end() &&
+               std::none_of(rule.with.begin(), rule.with.end(),
+                            [&](const std::string& key) { return isGiven(task, state, key); });
+    });
+}
+
 /// Whether its file gives a field that a window edits.
 inline bool givesField(const Task& task, const Input& input)
 {

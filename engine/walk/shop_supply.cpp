@@ -13,20 +13,16 @@
 namespace lathelier::walk {
 namespace {
 
-cam::Job jobFor(const shop::Shop& shop, const Shaft& part, const project::Project& project, Stores& stores,
-                const Progress& progress, Notes& notes)
+/// The job that the project states for its part; none: it states none.
+std::optional<cam::Job> givenJob(const project::Project& project, Stores& stores, const Progress& progress)
 {
     const project::PanelState state = project::resolved(project, programPlace);
     if (cam::hasTools(state)) {
-        const auto question = fromValues<cam::TurningQuestion>(state.parameters);
-        if (state.inputs.count(cam::jobRole) == 0 || cam::formRules(question, state)) return question.job;
+        auto question = fromValues<cam::TurningQuestion>(state.parameters);
+        if (state.inputs.count(cam::jobRole) == 0 || cam::formRules(question, state)) return std::move(question.job);
     }
-    task::Sources sources;
-    if (auto given = task::take<cam::JobInput>(state, cam::jobRole, stores, progress, sources))
-        return *std::move(given);
-    cam::Job job = shop::jobOf(shop, part);
-    shop::noteAssumed(shop, shop::usedBy(job), notes);
-    return job;
+    task::Sources unused;  // the turning program reports it
+    return task::take<cam::JobInput>(state, cam::jobRole, stores, progress, unused);
 }
 
 }  // namespace
@@ -40,13 +36,22 @@ Supply supplyOf(const shop::StatedShop& stated)
         return kind == cam::jobItem || kind == deflection::setupItem || kind == receptance::spindleItem;
     };
     supply.needs_part = [](const std::string& kind) { return kind != receptance::spindleItem; };
-    supply.fill = [shop](project::PanelState& state, const task::Task& task, const Shaft* part, Notes& notes) {
-        shop::fillFromShop(state, task, shop, part, notes);
+    supply.job_digest = [](const project::Project& project) {
+        return project::stateDigest(project::resolved(project, programPlace));
+    };
+    supply.fill = [shop](project::PanelState& state, const task::Task& task, const Shaft* part,
+                         const project::Project& project, Stores& stores, const Progress& progress, Notes& notes) {
+        const std::optional<cam::Job> job = givenJob(project, stores, progress);
+        shop::fillFromShop(state, task, shop, part, notes, job ? &*job : nullptr);
     };
     supply.held = [shop](const Shaft& part, const project::Project& project, Stores& stores, const Progress& progress,
                          Notes& notes) {
-        const cam::Job job = jobFor(shop, part, project, stores, progress, notes);
-        return HeldPart{cam::heldPart(part, job), cam::usedSpeeds(job)};
+        std::optional<cam::Job> job = givenJob(project, stores, progress);
+        if (!job) {
+            job = shop::jobOf(shop, part);
+            shop::noteAssumed(shop, shop::usedBy(*job), notes);
+        }
+        return HeldPart{cam::heldPart(part, *job), cam::usedSpeeds(*job)};
     };
     return supply;
 }

@@ -25,8 +25,13 @@ struct Supply {
     /// Whether they are made for a part and need one.
     std::function<bool(const std::string& kind)> needs_part;
 
-    /// Fills the free inputs of the task; `part`: none where there is none yet. Errors of the supply.
-    std::function<void(project::PanelState&, const task::Task&, const Shaft* part, Notes&)> fill;
+    /// Of the job that the project states for its part, which fill() and held() follow.
+    std::function<std::string(const project::Project&)> job_digest;
+
+    /// Fills the free inputs of the task; `part`: none where there is none yet. Errors of the supply and of the job.
+    std::function<void(project::PanelState&, const task::Task&, const Shaft* part, const project::Project&, Stores&,
+                       const Progress&, Notes&)>
+        fill;
 
     /// The part with the rest of its bar, as the job of the project or of the supply clamps it. Errors of the job.
     std::function<HeldPart(const Shaft& part, const project::Project&, Stores&, const Progress&, Notes&)> held;

@@ -82,16 +82,6 @@ bool namesOneOf(const Place& place)
     });
 }
 
-/// Whether the input belongs to others of which none is there.
-bool saysNothing(const task::Task& task, const project::PanelState& state, const std::string& role)
-{
-    return std::any_of(task.only_with.begin(), task.only_with.end(), [&](const task::OnlyWith& rule) {
-        return std::find(rule.keys.begin(), rule.keys.end(), role) != rule.keys.end() &&
-               std::none_of(rule.with.begin(), rule.with.end(),
-                            [&](const std::string& key) { return task::isGiven(task, state, key); });
-    });
-}
-
 }  // namespace
 
 Walk::Walk(project::Project project, std::vector<Place> places, Supply supply, std::shared_ptr<Stores> stores,
@@ -168,7 +158,7 @@ void Walk::promiseInput(const Place& place, const task::Input& input, Promise& p
     const bool is_one = task::isReplaceable(task, input);
     if (!is_named && !is_one && !task::isNeeded(task, input)) return;
     if (is_one && (!givenOf(task, promise.state).empty() || (!is_named && namesOneOf(place)))) return;
-    if (saysNothing(task, promise.state, input.role)) return;
+    if (task::saysNothing(task, promise.state, input)) return;
     const Place* const giver = giverOf(place, input.item_kind);
     const bool has_work = !promise.state.inputs.empty() || !givenOf(task, promise.state).empty();
     const bool is_supplied = !giver && supply_.has && supply_.has(input.item_kind) &&
@@ -180,10 +170,11 @@ void Walk::promiseInput(const Place& place, const task::Input& input, Promise& p
     item.kind = input.item_kind;
     item.origin.panel = giver ? giver->id : supplyName;
     item.origin.state_sha256 = giver ? promiseOf(*giver).digest : supply_.digest;
-    // A supply made for a part follows from it.
+    // What is made for a part follows from it and from the job that clamps it.
     const bool follows_part = place.takes_held || (!giver && supply_.needs_part(input.item_kind));
     if (const Place* const of_part = follows_part ? giverOf(place, shaftItem) : nullptr)
-        item.origin.state_sha256 = io::sha256(item.origin.state_sha256 + promiseOf(*of_part).digest + supply_.digest);
+        item.origin.state_sha256 = io::sha256(item.origin.state_sha256 + promiseOf(*of_part).digest + supply_.digest +
+                                              (supply_.job_digest ? supply_.job_digest(project_) : std::string()));
     promise.state.inputs[input.role].item = name;
     promise.state.items[input.role] = std::move(item);
     promise.taken.push_back({input.role, giver ? giver->title : Text{}, !giver});
@@ -248,7 +239,7 @@ project::PanelState Walk::complete(const std::string& id, Notes& notes, const Pr
         }
         const std::string kind = state.items.at(role).kind;
         auto [item, is_synthetic] = give(*giver, kind, notes, progress);
-        if (there->takes_held && kind == shaftItem)
+        if (there->takes_held && supply_.held && kind == shaftItem)
             if (const auto part = shaftOf(item.values)) {
                 const HeldPart held = supply_.held(*part, project_, *stores_, progress, notes);
                 item.values = toValues(held.body);
@@ -261,7 +252,7 @@ project::PanelState Walk::complete(const std::string& id, Notes& notes, const Pr
     }
     if (!is_supplied) return state;
     const std::optional<Shaft> part = partFor(*there, notes, progress);
-    supply_.fill(state, *there->task, part ? &*part : nullptr, notes);
+    supply_.fill(state, *there->task, part ? &*part : nullptr, project_, *stores_, progress, notes);
     for (const auto& [role, giver] : promise.givers)
         if (!giver && state.items.count(role) > 0) {
             state.inputs[role].item = promise.state.inputs.at(role).item;

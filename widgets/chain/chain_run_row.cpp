@@ -149,8 +149,8 @@ void ChainRunRow::look()
         return;
     }
     look_.compute<Looked>(
-        [unsettled = asked_, stores = session_.sharedStores()](const Progress& progress) {
-            const chain::AskedChain asked = chain::settled(unsettled, *stores, progress);
+        [unsettled = asked_, walk = session_.walk(), stores = session_.sharedStores()](const Progress& progress) {
+            const chain::AskedChain asked = chain::settled(unsettled, *walk, *stores, progress);
             io::InputFiles inputs;
             for (const chain::MadeInput& made : asked.made) inputs.give(made.path, made.text);
             auto earlier = stores->of<chain::ChainMemory>()->find(asked.question.out, progress);
@@ -239,8 +239,9 @@ void ChainRunRow::run(const chain::AskedChain& unsettled)
 {
     setRunning(true);
     run_.start(
-        [unsettled, stores = session_.sharedStores()](const Progress& progress) -> std::shared_ptr<const void> {
-            const chain::AskedChain asked = chain::settled(unsettled, *stores, progress);
+        [unsettled, walk = session_.walk(),
+         stores = session_.sharedStores()](const Progress& progress) -> std::shared_ptr<const void> {
+            const chain::AskedChain asked = chain::settled(unsettled, *walk, *stores, progress);
             writeMade(asked);
             io::InputFiles inputs;
             auto memory = stores->of<chain::ChainMemory>();

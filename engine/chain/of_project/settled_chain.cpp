@@ -4,7 +4,12 @@
 
 #include "engine/deflection/deflection_task.h"
 #include "engine/deflection/setup_file.h"
+#include "engine/io/shaft/shaft_file.h"
+#include "engine/receptance/spindle/spindle_file.h"
 #include "engine/receptance/spindle/spindle_input.h"
+#include "engine/receptance/spindle/spindle_item.h"
+#include "engine/shaft/shaft_item.h"
+#include "engine/task/edited_segments.h"
 
 namespace lathelier::chain {
 namespace {
@@ -46,16 +51,48 @@ std::string changedSetup(const AskedChain& asked, Stores& stores, const Progress
     return text == deflection::setupText(stated) ? std::string() : text;
 }
 
+void giveMade(AskedChain& asked, std::string& path, const char* name, std::string text)
+{
+    asked.made.push_back(madeInput(asked.question.out, name, std::move(text)));
+    path = asked.made.back().path;
+}
+
+/// What the turning program takes from earlier questions and the chain would not find by itself.
+void takeFromPart(AskedChain& asked, const walk::Walk& walk, const Progress& progress)
+{
+    constexpr const char *drawingPlace = "drawing", *programPlace = "turning", *spindlePlace = "spindle";
+    if (!walk.place(drawingPlace) || !walk.place(programPlace)) return;
+    const Value* const table = find(walk.promised(drawingPlace).parameters, task::segmentsKey);
+    const auto* const rows = table ? std::get_if<Rows>(table) : nullptr;
+    const bool is_edited = asked.question.drawing.empty() && rows && !rows->rows.empty();
+    const std::map<std::string, project::Item>& items = walk.promised(programPlace).items;
+    const auto machine = items.find(machineRole);
+    const bool is_measured =
+        asked.question.machine.empty() && machine != items.end() && machine->second.origin.panel == spindlePlace;
+    if (!is_edited && !is_measured) return;
+    try {
+        Notes reported_there;
+        const project::PanelState state = walk.complete(programPlace, reported_there, progress);
+        const auto shaft = state.items.find(drawingRole), spindle = state.items.find(machineRole);
+        if (is_edited && shaft != state.items.end())
+            if (const auto drawn = shaftOf(shaft->second.values))
+                giveMade(asked, asked.question.drawing, "drawing", io::shaftText(*drawn));
+        if (is_measured && spindle != state.items.end())
+            if (const auto found = receptance::spindleOf(spindle->second.values))
+                giveMade(asked, asked.question.machine, "spindle", receptance::spindleText(*found));
+    } catch (const Error&) {  // reported by the panel and the step
+    }
+}
+
 }  // namespace
 
-AskedChain settled(AskedChain asked, Stores& stores, const Progress& progress)
+AskedChain settled(AskedChain asked, const walk::Walk& walk, Stores& stores, const Progress& progress)
 {
+    takeFromPart(asked, walk, progress);
     if (!asked.deflection || asked.deflection->inputs.count(deflection::setupRole) == 0) return asked;
     try {
-        if (std::string text = changedSetup(asked, stores, progress); !text.empty()) {
-            asked.made.push_back(madeInput(asked.question.out, "setup", std::move(text)));
-            asked.question.setup = asked.made.back().path;
-        }
+        if (std::string text = changedSetup(asked, stores, progress); !text.empty())
+            giveMade(asked, asked.question.setup, "setup", std::move(text));
     } catch (const Error&) {  // reported by the panel and the step
     }
     return asked;

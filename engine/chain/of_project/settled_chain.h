@@ -1,13 +1,15 @@
-// Completes the chain's question by the set-up as changed in the panel Deflection.
+// Completes the chain's question by what the questions of the part make of their inputs.
 #pragma once
 
 #include "engine/chain/of_project/project_chain.h"
 #include "engine/task/stores.h"
+#include "engine/walk/walk.h"
 
 namespace lathelier::chain {
 
-/// With the set-up of the panel as a file of the chain, where its form or its spindle changes the file's values. An
-/// unreadable file is left unchanged and reported by the step. Throws Cancelled.
-AskedChain settled(AskedChain asked, Stores& stores, const Progress& progress);
+/// With files of the chain for the set-up of Deflection, where its form or its spindle changes the file's values; for
+/// the drawing, where its table was edited; for the machine that was measured. What is unreadable is left unchanged and
+/// reported by its step. Throws Cancelled.
+AskedChain settled(AskedChain asked, const walk::Walk& walk, Stores& stores, const Progress& progress);
 
 }  // namespace lathelier::chain

@@ -12,6 +12,9 @@
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
 #include "engine/shop/shop_file.h"
+#include "engine/task/edited_segments.h"
+#include "engine/walk/part_places.h"
+#include "engine/walk/shop_supply.h"
 #include "tests/scratch_folder.h"
 
 namespace lathelier::chain {
@@ -103,7 +106,7 @@ TEST(ProjectChain, ChangesOfTheSetUpKeepItsStock)
     project::Project project = itemsOnly(folder.string());
     set(project.panels["deflection"].parameters, "changed_chuck_N_mm", 20000.0);
     Stores stores;
-    const AskedChain asked = settled(askedChain(project), stores, {});
+    const AskedChain asked = settled(askedChain(project), walk::Walk(project, {}, {}, nullptr), stores, {});
     write(asked);
     const deflection::SetupFile setup = setupAt(asked.question.setup);
     EXPECT_EQ(setup.setup.chuck.radial_N_mm, 20000);
@@ -124,6 +127,27 @@ TEST(ProjectChain, AFormThatWasChangedFromAnItemIsTheJob)
     Notes notes;
     const io::FileBytes job(asked.question.job);
     EXPECT_EQ(cam::readJob(std::string(job.view()), notes).cutting.finish.cutting_speed_m_min, 150);
+}
+
+/// The window's program is of the edited drawing; the chain's is of the same.
+TEST(ProjectChain, AnEditedDrawingIsThatOfTheChain)
+{
+    const ScratchFolder folder;
+    project::Project project;
+    set(project.panels[chainKey].parameters, folderKey, folder.string());
+    const std::vector<ShaftSegment> edited{{40, 20, 20, 0, {}, ""}, {30, 31, 31, 0, {}, ""}};
+    set(project.panels["drawing"].parameters, task::segmentsKey, task::rowsOf(edited));
+    auto stores = std::make_shared<Stores>();
+    const walk::Walk walk(project, walk::partPlaces(), walk::supplyOf({}), stores);
+    EXPECT_TRUE(askedChain(project).question.drawing.empty());
+    const AskedChain asked = settled(askedChain(project), walk, *stores, {});
+    ASSERT_FALSE(asked.question.drawing.empty());
+    write(asked);
+    const io::FileBytes drawn(asked.question.drawing);
+    Notes notes;
+    const Shaft shaft = io::readShaft(std::string(drawn.view()), notes);
+    ASSERT_EQ(shaft.segments.size(), 2U);
+    EXPECT_EQ(shaft.segments[1].start_diameter_mm, 31);
 }
 
 }  // namespace

@@ -8,9 +8,13 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "engine/cam/job_file.h"
 #include "engine/cam/task/turn_task.h"
+#include "engine/deflection/setup_item.h"
 #include "engine/shaft/shaft_item.h"
 #include "engine/shop/shop_codes.h"
+#include "engine/shop/shop_job.h"
+#include "engine/shop/shop_library.h"
 #include "engine/walk/part_places.h"
 #include "engine/walk/shop_supply.h"
 #include "tests/engine/features/made_scan.h"
@@ -136,6 +140,33 @@ TEST_F(WalkTest, GivenInputsRuleAndLaterPlacesFollow)
     const auto& turned = *std::static_pointer_cast<const cam::TurnOutcome>(planned->value);
     EXPECT_NEAR(turned.plan->part.length_mm(), 30, 1e-9);
     EXPECT_NEAR(turned.plan->job.stock.diameter_mm, 52, 1e-9);  // the bar with 2 mm of allowance
+}
+
+/// A job that is given clamps the part for machine and deflection too, and a change of it is a change of theirs.
+TEST_F(WalkTest, AGivenJobIsFollowed)
+{
+    project::Project project = withScan(scanOf("stub"));
+    const std::string free_shaft = walkOf(project).promised("shaft").items.at("shaft").origin.state_sha256;
+    const std::string free_setup = walkOf(project).promised("deflection").items.at("setup").origin.state_sha256;
+    Shaft stub;
+    stub.segments = {{12, 40, 40, 0, {}, ""}, {18, 60, 60, 0, {}, ""}};
+    cam::Job job = shop::jobOf(shop::shopOf({}), stub);
+    ASSERT_FALSE(job.setup.tailstock);
+    job.stock.diameter_mm = 77;
+    job.part_off = false;
+    job.setup.tailstock.emplace();
+    project.panels["turning"].inputs["job"].path = (folder_ / "job.json").string();
+    std::ofstream(folder_ / "job.json") << cam::jobText(job);
+    const Walk walk = walkOf(project);
+    EXPECT_NE(walk.promised("shaft").items.at("shaft").origin.state_sha256, free_shaft);
+    EXPECT_NE(walk.promised("deflection").items.at("setup").origin.state_sha256, free_setup);
+    Notes notes;
+    const auto held = shaftOf(walk.complete("shaft", notes, {}).items.at("shaft").values);
+    ASSERT_TRUE(held);
+    EXPECT_EQ(held->segments.back().end_diameter_mm, 77);
+    const auto setup = deflection::setupOf(walk.complete("deflection", notes, {}).items.at("setup").values);
+    ASSERT_TRUE(setup);
+    EXPECT_TRUE(setup->setup.tailstock);
 }
 
 /// Equal questions are computed once; another generation of files is another question.

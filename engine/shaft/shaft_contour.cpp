@@ -149,6 +149,14 @@ void meetArcs(const ContourPiece& a, const ContourPiece& b, std::vector<Vector2d
     }
 }
 
+/// x - sin x, to the last digit for small angles too.
+double angleLessSine(double x)
+{
+    if (x > 0.3) return x - std::sin(x);
+    const double q = x * x;
+    return x * q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72 * (1 - q / 110))));
+}
+
 }  // namespace
 
 Vector2d ContourPiece::centre_mm() const
@@ -187,14 +195,20 @@ double ContourPiece::sweptVolume_mm3() const
 {
     const double r0 = from_mm.y(), r1 = to_mm.y();
     if (!isArc()) return pi * (to_mm.x() - from_mm.x()) * (r0 * r0 + r0 * r1 + r1 * r1) / 3;
-    const double rho = std::abs(arc_radius_mm), rc = centre_mm().y();
-    const auto [start, end] = arcAngles();
-    const auto primitive = [&](double t) {
-        const double cosine = std::cos(t);
-        return -rho * (-rc * rc * cosine + 2 * rc * rho * (t / 2 - std::sin(2 * t) / 4) +
-                       rho * rho * (cosine * cosine * cosine / 3 - cosine));
-    };
-    return pi * (primitive(end) - primitive(start));
+    // The frustum of the chord, and the segment between chord and arc by the theorem of Pappus. The primitive of r²
+    // along the arc would lose the cube of its radius in digits: crowned rollers have radii of many metres.
+    const Vector2d chord = to_mm - from_mm;
+    const double rho = std::abs(arc_radius_mm);
+    const double half_angle = std::asin(std::min(1.0, chord.norm() / (2 * rho)));
+    const double excess = angleLessSine(2 * half_angle);
+    const double frustum = pi * chord.x() * (r0 * r0 + r0 * r1 + r1 * r1) / 3;
+    if (!(excess > 0)) return frustum;
+    const double sine = std::sin(half_angle);
+    const double area = rho * rho * excess / 2;
+    const double above_chord_mm = 4 * rho * sine * sine * sine / (3 * excess) - rho * std::cos(half_angle);
+    const double bulge = arc_radius_mm > 0 ? 1 : -1;
+    const double centroid_mm = (r0 + r1) / 2 + bulge * above_chord_mm * chord.x() / chord.norm();
+    return frustum + bulge * 2 * pi * centroid_mm * area;
 }
 
 ContourPiece ContourPiece::reversed() const

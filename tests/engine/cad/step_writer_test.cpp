@@ -59,6 +59,15 @@ TEST(StepWriter, FacesAreOfTheKindOfTheirRows)
     EXPECT_EQ(surfaces(stepText(lemon(), fixedTime())).at("SURFACE_OF_REVOLUTION"), 1U);
 }
 
+/// The volume of the drawing is exact where that of the kernel is: no sound part is refused for its digits.
+TEST(StepWriter, ACrownOfManyMetresIsWritten)
+{
+    Shaft crowned;
+    crowned.segments = {{70.00021429133636, 33.800039817124485, 33.800162388055384, 0, 15354.549983683628, ""},
+                        {5, 23.8, 23.8, 0, {}, ""}};
+    EXPECT_EQ(occurrences(stepText(crowned, fixedTime()), "MANIFOLD_SOLID_BREP("), 1U);
+}
+
 TEST(StepWriter, NamesAreWrittenAsPart21SaysIt)
 {
     EXPECT_EQ(stepString("a'b\\c"), "a''b\\\\c");

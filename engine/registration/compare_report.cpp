@@ -324,8 +324,14 @@ report::Document compareReport(const CompareResult& result, const std::vector<In
     document.inputs = inputs;
     document.synthetic = contains(result.notes, notes::syntheticData);
     report::Section summary = compareSummary(result, language);
-    if (result.meridian)  // the picture beside the answer
+    // The picture under the answer.
+    if (!pictures.empty()) {
+        pictures.front().is_wide = true;
+        summary.blocks.insert(summary.blocks.begin() + 1, std::move(pictures.front()));
+        pictures.erase(pictures.begin());
+    } else if (result.meridian) {
         summary.blocks.insert(summary.blocks.begin() + 1, deviationAlongAxis(result, language));
+    }
     document.sections = {std::move(summary),
                          whereSection(result, language, std::move(pictures)),
                          certaintySection(result),

@@ -58,7 +58,8 @@ struct Paragraph {
 /// An image, such as a 3-D view.
 struct Picture {
     Caption title;
-    std::string png;  ///< content of the file; or an SVG, which begins with "<svg" and takes the width of the page
+    std::string png;       ///< content of the file; or an SVG, which begins with "<svg" and takes the width of the page
+    bool is_wide = false;  ///< takes the width of the page; else two stand side by side
 };
 
 using Block = std::variant<Answer, Paragraph, QuantityTable, Table, Plot, PolarPlot, ColourMap, Picture, Notes>;

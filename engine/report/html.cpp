@@ -126,7 +126,8 @@ public:
         for (const Block& block : all) {
             const bool narrow =
                 std::holds_alternative<QuantityTable>(block) ||
-                (std::holds_alternative<Picture>(block) && !std::get<Picture>(block).png.starts_with("<svg"));
+                (std::holds_alternative<Picture>(block) && !std::get<Picture>(block).png.starts_with("<svg") &&
+                 !std::get<Picture>(block).is_wide);
             if (narrow != grid) result += narrow ? "<div class=\"grid\">\n" : "</div>\n";
             grid = narrow;
             result += std::visit(*this, block);

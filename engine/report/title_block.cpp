@@ -38,21 +38,35 @@ const std::vector<Field<TitleBlock>>& fieldsOf(const TitleBlock*)
     return all;
 }
 
-std::vector<Quantity> rowsOf(const TitleBlock& block)
+std::vector<Quantity> rowsOf(const TitleBlock& block, bool to_fill_in)
 {
+    static const std::vector<std::string> always{"company", "part", "drawing", "serial", "instrument", "inspector"};
     std::vector<Quantity> rows;
     const Values values = toValues(block);
     for (const FieldInfo& info : infos<TitleBlock>()) {
         if (info.key == logoKey) continue;
-        if (const auto* given = std::get_if<std::string>(find(values, info.key)); given && !given->empty())
-            rows.push_back({info.label, *given, {}});
+        const auto* const given = std::get_if<std::string>(find(values, info.key));
+        const bool is_line = to_fill_in && std::find(always.begin(), always.end(), info.key) != always.end();
+        if (given && (!given->empty() || is_line)) rows.push_back({info.label, *given, {}});
     }
     return rows;
 }
 
+namespace {
+
+/// It states a verdict, so that somebody signs for it.
+bool isCertificate(const Document& document)
+{
+    if (document.sections.empty() || document.sections.front().blocks.empty()) return false;
+    const auto* const answer = std::get_if<Answer>(&document.sections.front().blocks.front());
+    return answer && answer->verdict;
+}
+
+}  // namespace
+
 void setTitleBlock(Document& document, const TitleBlock& block)
 {
-    document.title_block = rowsOf(block);
+    document.title_block = rowsOf(block, isCertificate(document));
     document.logo_png_base64 = block.logo_png_base64;
 }
 

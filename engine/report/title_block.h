@@ -28,10 +28,11 @@ inline constexpr const char* logoKey = "logo_png_base64";
 
 const std::vector<Field<TitleBlock>>& fieldsOf(const TitleBlock*);
 
-/// The given entries in the order of the form, without the logo.
-std::vector<Quantity> rowsOf(const TitleBlock& block);
+/// The given entries in the order of the form, without the logo. `to_fill_in`: company, part, drawing, serial number,
+/// instrument and inspector also where they are not given, as lines to be filled in by hand.
+std::vector<Quantity> rowsOf(const TitleBlock& block, bool to_fill_in = false);
 
-/// Puts the block on the first page of `document`.
+/// Puts the block on the first page of `document`, with lines to be filled in by hand where it states a verdict.
 void setTitleBlock(Document& document, const TitleBlock& block);
 
 /// The name of a report's file, without folder and suffix: part (else `otherwise`) and serial number, then the date

@@ -25,6 +25,26 @@ TEST(TitleBlock, ShowsWhatWasGivenAndAPlaceToSign)
     EXPECT_EQ(toHtml(document).find("Date, signature"), std::string::npos);
 }
 
+/// A report with a verdict is a certificate: what is not known is written in by hand.
+TEST(TitleBlock, ACertificateHasLinesToFillIn)
+{
+    Answer answer;
+    answer.value = 1;
+    Document document;
+    document.sections = {{std::string("Result"), {answer}}};
+    TitleBlock block;
+    block.part = "Shaft";
+    setTitleBlock(document, block);
+    EXPECT_EQ(document.title_block.size(), 1U);  // without a verdict only what is given
+    answer.verdict = Verdict::Pass;
+    document.sections.front().blocks.front() = answer;
+    setTitleBlock(document, block);
+    ASSERT_EQ(document.title_block.size(), 6U);
+    EXPECT_EQ(document.title_block[1].value, Value("Shaft"));
+    EXPECT_EQ(document.title_block[2].value, Value(""));
+    EXPECT_NE(toHtml(document).find("Date, signature"), std::string::npos);
+}
+
 TEST(TitleBlock, NamesTheFileAfterPartAndDate)
 {
     TitleBlock block;

@@ -56,7 +56,7 @@ public:
                 y_ += height + pieceGap_px;
                 ++i;
             } else {
-                const double width = piece.narrow ? (width_ - columnGap_px) / 2 : width_;
+                const double width = piece.narrow ? (width_ - columnGap_px) / 2 : piece.share * width_;
                 double needed = heightOf(piece, width);
                 const double own = needed;
                 // A heading is kept with the following block, which may begin with another heading.

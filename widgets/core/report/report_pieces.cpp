@@ -5,6 +5,7 @@
 #include "engine/core/texts.h"
 #include "engine/core/version.h"
 #include "engine/core/visible.h"
+#include "engine/report/answer_ruler.h"
 #include "engine/report/cells.h"
 #include "engine/report/plot_svg.h"
 #include "engine/report/polar_svg.h"
@@ -49,9 +50,15 @@ public:
             }
             return {};
         };
-        QString lines =
-            QString("<p style='font-size:19px; font-weight:600; margin:0;'>%1</p>")
-                .arg(escaped(report::verdictText(answer, language_) + "   " + report::valueLine(answer, language_)));
+        std::string quantity = report::captionText(answer.quantity, language_);
+        if (!answer.subject.empty()) quantity += ", " + answer.subject;
+        QString lines = QString(
+                            "<table cellspacing='0' cellpadding='6'><tr><td valign='middle' bgcolor='%1'><span "
+                            "style='font-size:17px; "
+                            "font-weight:600; color:#ffffff;'>%2</span></td><td>&nbsp;</td><td>%3<br><span "
+                            "style='font-size:24px; font-weight:600;'>%4</span></td></tr></table>")
+                            .arg(badge(answer.verdict), escaped(report::verdictText(answer, language_)),
+                                 escaped(quantity), escaped(report::valueText(answer, language_)));
         if (answer.verdict)
             lines += "<p style='margin:4px 0 0 0;'>" + escaped(report::limitText(answer, language_)) + "</p>";
         if (const std::string sentence = report::sentenceText(answer, language_); !sentence.empty())
@@ -65,6 +72,16 @@ public:
             lines += "<p style='margin:4px 0 0 0; font-style:italic;'>" + escaped(assumed) + "</p>";
         return text(QString("<table width='100%' cellpadding='10' bgcolor='%1'><tr><td>%2</td></tr></table>")
                         .arg(back(), lines));
+    }
+    static const char* badge(const std::optional<Verdict>& verdict)
+    {
+        if (!verdict) return "#52606d";
+        switch (*verdict) {
+            case Verdict::Pass: return "#177a53";
+            case Verdict::Fail: return "#b3261e";
+            case Verdict::Undecided: return "#8a5a00";
+        }
+        return "";
     }
     Piece operator()(const report::Paragraph& paragraph) const
     {
@@ -118,7 +135,7 @@ public:
         piece.kind = Piece::Kind::Png;
         piece.data = picture.png;
         piece.html = "<p style='color:#52606d;'>" + caption(picture.title) + "</p>";
-        piece.narrow = true;
+        piece.narrow = !picture.is_wide;
         return piece;
     }
     Piece operator()(const Notes& notes) const
@@ -137,6 +154,14 @@ public:
     {
         Piece piece;
         piece.html = html;
+        return piece;
+    }
+    /// Under its answer. `figure`: as rulerSvg() gives it, an SVG in an element of HTML.
+    static Piece ruler(std::string figure)
+    {
+        const std::size_t from = figure.find("<svg"), to = figure.rfind("</figure>");
+        Piece piece = drawing(figure.substr(from, to - from));
+        piece.share = 0.75;
         return piece;
     }
     static Piece title(const QString& words)
@@ -212,8 +237,10 @@ std::vector<Piece> piecesOf(const report::Document& document, const Language& la
     for (const report::Section& section : document.sections) {
         pieces.push_back(Maker::title(maker.caption(section.title)));
         for (const report::Block& block : section.blocks) {
-            Piece piece = std::visit(maker, block);
-            pieces.push_back(std::move(piece));
+            pieces.push_back(std::visit(maker, block));
+            if (const auto* const answer = std::get_if<report::Answer>(&block))
+                if (std::string ruler = report::rulerSvg(*answer, language); !ruler.empty())
+                    pieces.push_back(Maker::ruler(std::move(ruler)));
         }
     }
     if (!document.inputs.empty()) {

@@ -14,6 +14,7 @@ struct Piece {
     QString html;                 ///< RichText; Rows: content above the rows, including the header row
     std::vector<QString> rows;    ///< Rows: one "<tr>…</tr>" each
     std::string data;             ///< content of Svg or Png
+    double share = 1;             ///< of the width: that a drawing takes
     bool narrow = false;          ///< two narrow blocks are placed side by side
     bool keep_with_next = false;  ///< true for a heading
 };

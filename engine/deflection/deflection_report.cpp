@@ -1,5 +1,8 @@
 #include "engine/deflection/deflection_report.h"
 
+#include <algorithm>
+
+#include "engine/core/conformity.h"
 #include "engine/core/texts.h"
 #include "engine/deflection/deflection_quantities.h"
 #include "engine/deflection/deflection_verification.h"
@@ -29,6 +32,16 @@ report::Table changesTable(const std::vector<ProgramChange>& changes, const Lang
     return table;
 }
 
+/// Of what a correction leaves; none where neither was computed.
+std::optional<double> uncertaintyOf_um(const CompensationResult& result, const ErrorBand* band)
+{
+    if (band) return (band->max_high_um - band->max_low_um) / 2;
+    if (result.robustness.empty()) return std::nullopt;
+    double largest_um = 0;
+    for (const RobustnessRow& row : result.robustness) largest_um = std::max(largest_um, row.max_after_um);
+    return std::max(0.0, largest_um - result.residual.max_um);
+}
+
 }  // namespace
 
 report::Answer answer(const DeflectionResult& result, const std::optional<double>& tolerance_um,
@@ -51,22 +64,36 @@ report::Answer answer(const DeflectionResult& result, const std::optional<double
     return answer;
 }
 
-report::Answer answer(const CompensationResult& result, const Language& language)
+report::Answer answer(const CompensationResult& result, const std::optional<double>& limit_um, const ErrorBand* band,
+                      const Language& language)
 {
     report::Answer answer;
-    answer.quantity = LT_TEXT("Engine", "Largest error of the corrected program");
+    answer.quantity = LT_TEXT("Engine", "Largest error after the correction");
     answer.value = result.residual.max_um;
     answer.unit = micrometre;
-    answer.decimals = 2;
-    answer.upper_limit = result.parameters.tolerance_um;
-    answer.verdict = result.residual.max_um <= result.parameters.tolerance_um ? Verdict::Pass : Verdict::Fail;
-    answer.sentence = LT_TEXT("Engine",
-                              "{changed} blocks changed, {added} added · largest correction {correction} µm on "
-                              "diameter · {before} µm without it");
-    answer.values = {{"changed", result.blocks_changed},
-                     {"added", result.blocks_added},
-                     {"correction", fixed(result.largest_correction_um, 1, language)},
-                     {"before", fixed(result.before.summary.max_um, 1, language)}};
+    answer.decimals = 1;
+    answer.expanded_uncertainty = uncertaintyOf_um(result, band);
+    answer.upper_limit = limit_um;
+    answer.verdict_words = LT_TEXT("Engine", "corrected");
+    if (limit_um) {
+        answer.verdict =
+            judge(result.residual.max_um, answer.expanded_uncertainty.value_or(0), *limit_um, DecisionRule::Guarded);
+        answer.verdict_words = {};
+    }
+    answer.sentence =
+        LT_TEXT("Engine", "{before} µm without the correction · largest change {correction} µm on diameter");
+    answer.values = {{"before", fixed(result.before.summary.max_um, 1, language)},
+                     {"correction", fixed(result.largest_correction_um, 1, language)}};
+    const bool is_reached = result.residual.max_um <= result.parameters.tolerance_um;
+    answer.findings = {
+        {LT_TEXT("Engine", "The program follows the prediction to {residual:2} µm, allowed {allowed} µm"),
+         {{"residual", result.residual.max_um}, {"allowed", result.parameters.tolerance_um}},
+         is_reached ? Verdict::Pass : Verdict::Fail,
+         {}},
+        {LT_TEXT("Engine", "{changed} blocks changed, {added} added"),
+         {{"changed", result.blocks_changed}, {"added", result.blocks_added}},
+         {},
+         {}}};
     return answer;
 }
 
@@ -80,11 +107,12 @@ report::Section deflectionSummary(const DeflectionResult& result, const std::opt
     return section;
 }
 
-report::Section compensationSection(const CorrectedProgram& corrected, const Language& language)
+report::Section compensationSection(const CorrectedProgram& corrected, const std::optional<double>& limit_um,
+                                    const ErrorBand* band, const Language& language)
 {
     const CompensationResult& result = corrected.compensation;
     report::Section section{LT_TEXT("Engine", "Correction"),
-                            {answer(result, language), correctionPlot(result, language)}};
+                            {answer(result, limit_um, band, language), correctionPlot(result, language)}};
     section.blocks.push_back(changesTable(corrected.changes, language));
     if (!result.robustness.empty()) section.blocks.push_back(robustnessTable(result.robustness));
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
@@ -115,7 +143,8 @@ report::Document deflectionReport(const DeflectionResult& result, const ReportPa
                            {errorPlot(result, shown, language), depthPlot(result, language)}};
     for (const PassResult& pass : result.passes) curves.blocks.push_back(forcesPlot(pass));
     document.sections.push_back(std::move(curves));
-    if (parts.corrected) document.sections.push_back(compensationSection(*parts.corrected, language));
+    if (parts.corrected)
+        document.sections.push_back(compensationSection(*parts.corrected, parts.tolerance_um, parts.band, language));
     if (parts.identified) document.sections.push_back(identificationSection(*parts.identified));
     report::Section other{LT_TEXT("Engine", "What if"), {}};
     if (parts.sensitivities) other.blocks.push_back(sensitivityTable(*parts.sensitivities));

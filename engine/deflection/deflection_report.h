@@ -20,13 +20,17 @@ struct ReportParts {
 /// Largest error against the tolerance; mean, range, and the offset that minimises the error.
 report::Answer answer(const DeflectionResult& result, const std::optional<double>& tolerance_um = {},
                       const Language& language = {});
-/// Residual of the written program, blocks, largest correction.
-report::Answer answer(const CompensationResult& result, const Language& language = {});
+/// What the correction leaves with the uncertainty of the prediction, against the limit of the diameter error; within
+/// only where the whole interval is. U: that of the band, else how far the error grows on the other machines of the
+/// robustness. Findings: whether the program reaches the prediction (parameter tolerance_um), blocks.
+report::Answer answer(const CompensationResult& result, const std::optional<double>& limit_um, const ErrorBand* band,
+                      const Language& language = {});
 
 report::Section deflectionSummary(const DeflectionResult& result, const std::optional<double>& tolerance_um = {},
                                   const Language& language = {});
 /// Every changed word of the corrected program with its reason, and the robustness of the correction.
-report::Section compensationSection(const CorrectedProgram& corrected, const Language& language = {});
+report::Section compensationSection(const CorrectedProgram& corrected, const std::optional<double>& limit_um,
+                                    const ErrorBand* band, const Language& language = {});
 report::Section identificationSection(const IdentificationResult& result);
 
 report::Document deflectionReport(const DeflectionResult& result, const ReportParts& parts = {},

@@ -174,7 +174,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const DeflectionOutcome>& outcome)
     const std::shared_ptr<const TurningStudy> study = outcome->study;
     all.json = [study] { return toJson(*study); };
     all.answer = [study](const Language& language) {
-        return study->corrected ? answer(study->corrected->compensation, language) : answer(*study, language);
+        return study->corrected ? correctionAnswer(*study, language) : answer(*study, language);
     };
     all.summary = [study](const Language& language) { return studySummary(*study, language); };
     all.report = [outcome](const Language& language) {

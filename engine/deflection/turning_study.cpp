@@ -219,6 +219,12 @@ report::Answer answer(const TurningStudy& study, const Language& language)
     return made;
 }
 
+report::Answer correctionAnswer(const TurningStudy& study, const Language& language)
+{
+    return answer(study.corrected->compensation, study.parameters.tolerance_um, study.band ? &*study.band : nullptr,
+                  language);
+}
+
 report::Table findingsTable(const stock::StockResult& result)
 {
     return report::listTable<stock::StockFinding>(LT_TEXT("Engine", "What the tool meets"), result.findings,
@@ -230,7 +236,7 @@ report::Section studySummary(const TurningStudy& study, const Language& language
     report::Section section = deflectionSummary(study.prediction, study.parameters.tolerance_um, language);
     section.blocks.front() = answer(study, language);
     if (!section.blocks.empty() && std::holds_alternative<Notes>(section.blocks.back())) section.blocks.pop_back();
-    if (study.corrected) section.blocks.push_back(answer(study.corrected->compensation, language));
+    if (study.corrected) section.blocks.push_back(correctionAnswer(study, language));
     if (study.triage)
         section.blocks.push_back(report::listTable<CauseFit>(LT_TEXT("Engine", "What the measured diameters look like"),
                                                              study.triage->alone, {"cause_name", "size", "rms_um"}));

@@ -72,6 +72,9 @@ Json toJson(const TurningStudy& study);
 /// largest error, strongest influence, residual of a correction.
 report::Answer answer(const TurningStudy& study, const Language& language = {});
 
+/// Of the corrected program, which has to be there.
+report::Answer correctionAnswer(const TurningStudy& study, const Language& language = {});
+
 report::Table findingsTable(const stock::StockResult& result);
 
 /// Answer, figures and notes.

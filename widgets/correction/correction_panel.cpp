@@ -21,7 +21,8 @@ DeflectionOutcome correct(const project::PanelState& state, Stores& stores, task
                           const Progress& progress)
 {
     project::PanelState asked = state;
-    for (const char* key : {"band", "sensitivities", "feed", "map"}) lathelier::set(asked.parameters, key, false);
+    for (const char* key : {"sensitivities", "feed", "map"}) lathelier::set(asked.parameters, key, false);
+    lathelier::set(asked.parameters, "band", true);  // the uncertainty of the answer
     return deflection::answerDeflection(asked, deflection::StudyKind::Correction, stores, sources, progress);
 }
 
@@ -39,7 +40,7 @@ PanelFacts correctionPanelFacts()
 {
     PanelFacts facts = deflection_common::turningFacts(
         factsOf(deflection::deflectionTask(), "correction", "correction", roles, {{deflection::compensateExport}},
-                {{"band", false}, {"sensitivities", false}, {"feed", false}, {"map", false}}));
+                {{"band", true}, {"sensitivities", false}, {"feed", false}, {"map", false}}));
     facts.title = LT_TEXT("Engine", "Correction");
     facts.answer = answeredBy(correct);
     facts.make = [](Session& session) -> PanelBase* { return new CorrectionPanel(session); };

@@ -8,6 +8,7 @@
 #include "engine/chain/chain_codes.h"
 #include "engine/chain/dossier_report.h"
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/deflection/influences.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
@@ -46,7 +47,7 @@ report::Answer proofAnswer(const Proof& proof, const std::optional<report::Findi
 {
     constexpr std::size_t most_rows = 3;
     report::Answer answer;
-    answer.quantity = LT_TEXT("Engine", "Largest |E_n| of prediction and copy");
+    answer.quantity = LT_TEXT("Engine", "Prediction and copy differ by");
     std::vector<ComparedError> places = proof.places;
     const auto size = [](const ComparedError& place) { return std::abs(place.normalized_error); };
     std::stable_sort(places.begin(), places.end(),
@@ -65,9 +66,12 @@ report::Answer proofAnswer(const Proof& proof, const std::optional<report::Findi
              Verdict::Fail,
              {Interval{place.z_start_mm, place.z_end_mm}, {}, {}, {}}});
     }
-    answer.value = size(places.front());
-    answer.decimals = 2;
-    answer.upper_limit = 1;
+    // |E_n| <= 1, said in micrometres: the difference against both uncertainties together.
+    const ComparedError& worst = places.front();
+    answer.value = std::abs(worst.measured_um - worst.predicted_um);
+    answer.upper_limit = std::hypot(worst.measured_uncertainty_um, worst.predicted_uncertainty_um);
+    answer.unit = micrometre;
+    answer.decimals = 1;
     const bool is_out = copy && copy->verdict == Verdict::Fail;
     answer.verdict = disagreeing == 0 && !is_out ? Verdict::Pass : Verdict::Fail;
     if (disagreeing == 0 && !is_out && copy && copy->verdict == Verdict::Undecided) answer.verdict = Verdict::Undecided;
@@ -76,9 +80,9 @@ report::Answer proofAnswer(const Proof& proof, const std::optional<report::Findi
                            : answer.verdict == Verdict::Undecided
                                ? LT_TEXT("Engine", "? predicted well; the copy's limit is not decided")
                                : LT_TEXT("Engine", "✓ prediction agrees with the copy");
-    answer.sentence = LT_TEXT("Engine", "{agreeing} of {rows} rows agree within both uncertainties.");
+    answer.sentence = LT_TEXT("Engine", "|E_n| {error:2} · {agreeing} of {rows} rows agree within both uncertainties.");
     const auto rows = static_cast<std::int64_t>(places.size());
-    answer.values = {{"agreeing", rows - disagreeing}, {"rows", rows}};
+    answer.values = {{"error", size(worst)}, {"agreeing", rows - disagreeing}, {"rows", rows}};
     return answer;
 }
 

@@ -1,10 +1,13 @@
 #include "engine/receptance/task/spindle_task.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/field_within.h"
 #include "engine/core/json.h"
+#include "engine/core/statistics.h"
 #include "engine/core/units.h"
 #include "engine/io/file.h"
 #include "engine/io/json/json_locate.h"
@@ -160,6 +163,31 @@ report::Section summaryOf(const SpindleOutcome& outcome, const Language& languag
     return section;
 }
 
+/// The stiffness that the chuck face shows at the lowest lines, where inertia does not count; its uncertainty from the
+/// residual (k = 2), which becomes the sentence. `told`: the answer with the residual.
+report::Answer stiffnessAnswer(const SpindleIdentification& found, report::Answer told, const Language& language)
+{
+    constexpr std::size_t share_of_lines = 10;
+    std::vector<double> stiffness_N_um;
+    const std::size_t lines = std::max<std::size_t>(1, found.frequency_hz.size() / share_of_lines);
+    for (std::size_t i = 0; i < std::min(lines, found.frequency_hz.size()); ++i)
+        stiffness_N_um.push_back(1 / (um_per_mm * std::abs(found.spindle.at(found.frequency_hz[i])(0, 0))));
+    const double middle_N_um = stiffness_N_um.empty() ? notANumber : median(std::move(stiffness_N_um));
+    if (!std::isfinite(middle_N_um)) return told;
+    const double residual_percent = *told.value;
+    told.quantity = LT_TEXT("Engine", "Stiffness of the chuck face");
+    told.value = middle_N_um;
+    told.unit = LT_TEXT("Engine", "N/µm");
+    told.expanded_uncertainty = 2 * residual_percent / 100 * middle_N_um;
+    told.decimals =
+        std::clamp(1 - static_cast<int>(std::floor(std::log10(std::max(1e-6, *told.expanded_uncertainty)))), 0, 3);
+    set(told.values, "residual", fixed(residual_percent, 2, language));
+    told.sentence = found.hold_out_rms_percent
+                        ? LT_TEXT("Engine", "The rod held out is reproduced to {residual} % · responses: {responses}")
+                        : LT_TEXT("Engine", "The rods are reproduced to {residual} % · responses: {responses}");
+    return told;
+}
+
 /// The residual of a rod that was held out says more than that of the responses used.
 report::Answer identifiedAnswer(const SpindleOutcome& outcome, const Language& language)
 {
@@ -170,7 +198,7 @@ report::Answer identifiedAnswer(const SpindleOutcome& outcome, const Language& l
         told.sentence = LT_TEXT("Engine", "Of the responses used {used} % · responses: {responses} · lines: {lines}");
         set(told.values, "used", fixed(outcome.identified->residual_rms_percent, 2, language));
     }
-    if (!outcome.question.limit_percent) return told;
+    if (!outcome.question.limit_percent) return stiffnessAnswer(*outcome.identified, std::move(told), language);
     told.upper_limit = outcome.question.limit_percent;
     told.verdict = *told.value <= *outcome.question.limit_percent ? Verdict::Pass : Verdict::Fail;
     told.verdict_words =

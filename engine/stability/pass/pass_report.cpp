@@ -159,14 +159,16 @@ report::Answer passAnswer(const PassResult& result, const SafeSpeed& safe, const
     const double speed_rpm = safe.question.selected_rpm;
     const PassPoint point = pointOfPass(result, speed_rpm);
     report::Answer answer;
-    answer.quantity = LT_TEXT("Engine", "Depth of the pass");
-    answer.value = result.parameters.pass_depth_mm;
+    const bool is_limited = std::isfinite(point.limit_mm);
+    answer.quantity =
+        is_limited ? LT_TEXT("Engine", "Depth that is stable over the pass") : LT_TEXT("Engine", "Depth of the pass");
+    answer.value = is_limited ? roundedDepth(point.limit_mm) : *result.parameters.pass_depth_mm;
     answer.unit = unit::mm;
     answer.decimals = depthDecimals(std::fmin(*result.parameters.pass_depth_mm, point.limit_mm));
-    if (std::isfinite(point.limit_mm)) answer.upper_limit = roundedDepth(point.limit_mm);
+    if (is_limited) answer.lower_limit = result.parameters.pass_depth_mm;
     answer.verdict = point.stable ? Verdict::Pass : Verdict::Fail;
     answer.verdict_words = point.stable ? LT_TEXT("Engine", "✓ stable") : LT_TEXT("Engine", "✗ chatter");
-    answer.sentence = std::isfinite(point.limit_mm)
+    answer.sentence = is_limited
                           ? LT_TEXT("Engine", "{speed} 1/min · least limit at z {z} mm, chatter at {frequency} Hz")
                           : LT_TEXT("Engine", "{speed} 1/min · no lobe limits here");
     answer.values = {{"speed", fixed(speed_rpm, 0, language)},

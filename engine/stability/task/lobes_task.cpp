@@ -150,27 +150,28 @@ report::Section summaryOf(const LobesOutcome& outcome, const Language& language)
     return section;
 }
 
-/// The operating point against its limit.
+/// What is stable at the operating point's speed against its depth; without a limit there the depth.
 report::Answer pointAnswer(const LobesOutcome& outcome, const Language& language)
 {
     const LobeResult& lobes = *outcome.lobes;
     const PointStability work = pointStabilityAt(lobes, outcome.point.speed_rpm, outcome.point.depth_mm);
     report::Answer told;
-    told.quantity = LT_TEXT("Engine", "Depth of cut");
-    told.value = outcome.point.depth_mm;
+    const bool is_limited = std::isfinite(work.limit_mm);
+    told.quantity = is_limited ? LT_TEXT("Engine", "Depth that is stable here") : LT_TEXT("Engine", "Depth of cut");
+    told.value = is_limited ? roundedDepth(work.limit_mm) : outcome.point.depth_mm;
     if (!lobes.isRelative()) told.unit = unit::mm;
     told.decimals = depthDecimals(std::min(outcome.point.depth_mm, std::fmin(work.limit_mm, 1)));
-    if (std::isfinite(work.limit_mm)) told.upper_limit = roundedDepth(work.limit_mm);
+    if (is_limited) told.lower_limit = outcome.point.depth_mm;
     told.verdict = work.stable ? Verdict::Pass : Verdict::Fail;
     told.verdict_words = work.stable ? LT_TEXT("Engine", "✓ stable") : LT_TEXT("Engine", "✗ chatter");
     told.values = {{"speed", fixed(outcome.point.speed_rpm, 0, language)},
                    {"frequency", fixed(work.frequency_hz, 1, language)},
                    {"k", std::int64_t{work.k}},
                    {"probability", fixed(100 * work.probability_stable, 0, language)}};
-    told.sentence = !std::isfinite(work.limit_mm) ? LT_TEXT("Engine", "{speed} 1/min · no lobe limits here")
-                    : lobes.band                  ? LT_TEXT("Engine",
-                                                            "{speed} 1/min · stable with a probability of {probability} % · "
-                                                                             "lobe {k}, chatter at {frequency} Hz")
+    told.sentence = !is_limited  ? LT_TEXT("Engine", "{speed} 1/min · no lobe limits here")
+                    : lobes.band ? LT_TEXT("Engine",
+                                           "{speed} 1/min · stable with a probability of {probability} % · "
+                                           "lobe {k}, chatter at {frequency} Hz")
                                  : LT_TEXT("Engine", "{speed} 1/min · lobe {k}, chatter at {frequency} Hz");
     told.findings = findingsOf(outcome.safe, lobes.isRelative(), operatingSpeedKey);
     return told;

@@ -122,9 +122,9 @@ report::Answer answer(const TrainingOutcome& outcome, const Language& language)
         answer.sentence = LT_TEXT("Engine", "{speed} 1/min · depth {depth_mm:3} mm");
         return answer;
     }
-    answer.quantity = LT_TEXT("Engine", "Growth per revolution");
-    answer.value = cut.growth_per_revolution;
-    answer.upper_limit = 1;
+    answer.quantity = LT_TEXT("Engine", "Depth of cut");
+    answer.value = outcome.point.depth_mm;
+    answer.unit = unit::mm;
     answer.decimals = 3;
     switch (cut.cut) {
         case stability::CutVerdict::Stable:
@@ -137,13 +137,28 @@ report::Answer answer(const TrainingOutcome& outcome, const Language& language)
             break;
         case stability::CutVerdict::Undecided: answer.verdict = Verdict::Undecided; break;
     }
-    answer.sentence =
-        std::isfinite(state.limit_mm)
-            ? LT_TEXT(
-                  "Engine",
-                  "{speed} 1/min · depth {depth_mm:3} mm, limit {limit_mm:3} mm · {frequency} Hz · {k} whole waves, "
-                  "ε = {phase}°")
-            : LT_TEXT("Engine", "{speed} 1/min · depth {depth_mm:3} mm, no lobe limits here · {frequency} Hz");
+    // Near the limit the simulation may say otherwise than the lobes: then no ruler contradicts it.
+    const bool is_limited = std::isfinite(state.limit_mm);
+    const bool is_too_deep = outcome.point.depth_mm > state.limit_mm;
+    if (is_limited && answer.verdict == (is_too_deep ? Verdict::Fail : Verdict::Pass))
+        answer.upper_limit = std::round(1000 * state.limit_mm) / 1000;  // as the value
+    const double growth_percent = 100 * (cut.growth_per_revolution - 1);
+    const double room_mm = std::abs(state.limit_mm - outcome.point.depth_mm);
+    answer.values.insert(answer.values.end(),
+                         {{"growth", fixed(std::abs(growth_percent), 0, language)}, {"room_mm", room_mm}});
+    const Text grows = is_limited && is_too_deep
+                           ? LT_TEXT("Engine", "Grows {growth} % with each turn · {room_mm:2} mm too deep")
+                           : LT_TEXT("Engine", "Grows {growth} % with each turn");
+    const Text dies = is_limited && !is_too_deep
+                          ? LT_TEXT("Engine", "Dies away by {growth} % with each turn · {room_mm:2} mm to the limit")
+                          : LT_TEXT("Engine", "Dies away by {growth} % with each turn");
+    answer.sentence = growth_percent > 0 ? grows : dies;
+    answer.findings.push_back({is_limited
+                                   ? LT_TEXT("Engine", "{speed} 1/min · {frequency} Hz · {k} whole waves, ε = {phase}°")
+                                   : LT_TEXT("Engine", "{speed} 1/min · {frequency} Hz · no lobe limits here"),
+                               answer.values,
+                               {},
+                               {}});
     return answer;
 }
 

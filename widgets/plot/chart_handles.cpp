@@ -65,6 +65,17 @@ void ChartView::setHandle(const QString& key, double x, double y)
     drawOverlay();
 }
 
+void ChartView::setGlow(bool glows)
+{
+    content_->lines->glows = glows;
+    drawOverlay();
+}
+
+bool ChartView::glows() const
+{
+    return content_->lines->glows;
+}
+
 void ChartView::moveChosen(double x, double y)
 {
     Content& c = *content_;
@@ -73,6 +84,7 @@ void ChartView::moveChosen(double x, double y)
     report::moveHandle(handle, x, y);
     if (before.x() == handle.x && before.y() == handle.y) return;
     c.has_moved = true;
+    c.lines->glows = false;
     setReadout(chartText(handle.name) + (report::captionText(handle.name).empty() ? "" : "  ·  ") +
                readoutAt(handle.x, handle.y));
     drawOverlay();

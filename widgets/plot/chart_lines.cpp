@@ -131,6 +131,18 @@ void ChartLines::drawHandle(QCPPainter& painter, const report::Handle& handle, b
                         QPen(style_.limit, width, Qt::DashLine));
     }
     const QPointF place = pixel(handle.x, handle.y);
+    if (glows) {
+        constexpr double glowReach = 4;  // of the handle's
+        QRadialGradient light(place, glowReach * reach());
+        QColor inner = style_.limit, outer = style_.limit;
+        inner.setAlpha(150);
+        outer.setAlpha(0);
+        light.setColorAt(0, inner);
+        light.setColorAt(1, outer);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(light);
+        painter.drawEllipse(place, glowReach * reach(), glowReach * reach());
+    }
     QColor ground = style_.background;
     ground.setAlpha(150);
     painter.setPen(QPen(style_.limit, 1.3 * width));

@@ -50,6 +50,7 @@ public:
     std::optional<double> marked_x;      ///< marked x: vertical line
     std::vector<QPointF> marked_places;  ///< marked places on paths
     std::optional<std::size_t> chosen;   ///< handle moved by keys
+    bool glows = false;                  ///< handles of points are surrounded by light
     PointedOut pointed_out;              ///< highlighted by a linked view
 
     double reach() const { return 0.4 * QFontMetricsF(font).height(); }  ///< picking radius of a point's handle

@@ -31,6 +31,10 @@ public:
     /// Moves a handle alone, without touching the curves; inside its ranges. Unknown keys are ignored.
     void setHandle(const QString& key, double x, double y);
 
+    /// Light about the handle of a point until it is moved by hand: it is what a reader is asked to use.
+    void setGlow(bool glows);
+    bool glows() const;
+
     /// Marks one x, or one place along the paths of the chart; set here or by a linked view.
     void setMarker(std::optional<double> place);
     std::optional<double> marker() const;

@@ -91,7 +91,7 @@ void TourPane::goTo(int step)
     done_ = false;
     hint_->hide();
     show();
-    if (step < 0) return;
+    if (step < 0) return emit viewsRequested({});
     const training::Step& now = lesson_.steps[static_cast<std::size_t>(step)];
     emit stepBegun();
     emit settingRequested(now.set);

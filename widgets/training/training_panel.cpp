@@ -83,15 +83,16 @@ TrainingPanel::TrainingPanel(Session& owner, QWidget* parent)
     connect(views_->primaryViews(), &PrimaryViews::primaryChanged, this, &TrainingPanel::updateTour);
     connect(transport_, &TransportBar::timeChanged, views_, &TrainingViews::setTime);
     connect(tour_, &TourPane::settingRequested, this, &TrainingPanel::takeSetting);
-    connect(tour_, &TourPane::viewsRequested, this,
-            [this](const QStringList& keys) { views_->primaryViews()->setPrimary(keys.front()); });
+    connect(tour_, &TourPane::viewsRequested, views_, &TrainingViews::showStep);
     connect(tour_, &TourPane::stepBegun, this, [this] {
+        views_->setExercising(false);
         player_.resetHeard();
         score_ = training::LessonState::unknown;
     });
     connect(tour_, &TourPane::lessonRequested, this, &TrainingPanel::askForLesson);
     connect(exercises_, &ExercisePane::begun, this, [this] {
         views_->clearExercise();
+        views_->setExercising(true);
         panes_->setCurrentWidget(exercises_);
     });
     connect(exercises_, &ExercisePane::cutHeard, this,
@@ -102,6 +103,7 @@ TrainingPanel::TrainingPanel(Session& owner, QWidget* parent)
     connect(exercises_, &ExercisePane::blowHeard, views_, &TrainingViews::setBlow);
     connect(exercises_, &ExercisePane::graded, this, [this](double points) {
         score_ = points;
+        views_->setExercising(false);
         playPicture();
         updateTour();
     });
@@ -303,6 +305,7 @@ void TrainingPanel::restoreView(const Values& kept)
     const Value* const step = lathelier::find(kept, "tour_step");
     const auto* const number = step ? std::get_if<std::int64_t>(step) : nullptr;
     const QSignalBlocker quiet(tour_);  // the step's settings are already in the project
+    views_->primaryViews()->setBeside(number && *number >= 0 ? TrainingViews::alwaysShown() : QString());
     tour_->goTo(number ? static_cast<int>(std::clamp<std::int64_t>(*number, -1, tour_->steps() - 1)) : -1);
 }
 

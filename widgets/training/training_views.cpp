@@ -92,9 +92,8 @@ void TrainingViews::setOutcome(const std::shared_ptr<const training::TrainingOut
                             outcome_->question.relation == outcome->question.relation &&
                             outcome_->scenario.greatest_depth_mm == outcome->scenario.greatest_depth_mm;
     outcome_ = outcome;
-    const bool open = !outcome->question.hide_chart;
-    for (const char* key : {"lobes", "growth", "frf", "comparison", "why"}) primaryViews_->setAvailable(key, open);
-    if (open) filler_.ask(outcome->scenario.modes, training::rasterOf(*outcome));
+    showCharts();
+    if (isOpen()) filler_.ask(outcome->scenario.modes, training::rasterOf(*outcome));
     if (same_chart) {
         for (plot::ChartView* chart : {lobes_, comparison_})
             chart->setHandle(stability::operatingPointKey, outcome->point.speed_rpm, outcome->point.depth_mm);
@@ -102,6 +101,38 @@ void TrainingViews::setOutcome(const std::shared_ptr<const training::TrainingOut
         showLobes();
     }
     showCut();
+}
+
+bool TrainingViews::isOpen() const
+{
+    return !is_exercising_ && !(outcome_ && outcome_->question.hide_chart);
+}
+
+void TrainingViews::showCharts()
+{
+    for (const char* key : {"lobes", "growth", "frf", "comparison", "why"}) primaryViews_->setAvailable(key, isOpen());
+}
+
+void TrainingViews::setExercising(bool exercising)
+{
+    is_exercising_ = exercising;
+    showCharts();
+    if (outcome_ && isOpen()) filler_.ask(outcome_->scenario.modes, training::rasterOf(*outcome_));
+}
+
+QString TrainingViews::alwaysShown()
+{
+    return QString::fromStdString(training::viewChoices().front().key);
+}
+
+void TrainingViews::showStep(const QStringList& keys)
+{
+    const QString lobes = alwaysShown();
+    QStringList others = keys;
+    others.removeAll(lobes);
+    lobes_->setGlow(!keys.isEmpty());
+    primaryViews_->setBeside(keys.isEmpty() ? QString() : lobes);
+    if (!keys.isEmpty()) primaryViews_->setPrimary(others.isEmpty() ? lobes : others.front());
 }
 
 void TrainingViews::setTime(double time_s)

@@ -30,6 +30,14 @@ public:
     void setBlow(const training::Decay& blow);
     void clearExercise();
 
+    /// The views of a step: what it speaks of large, the lobe chart always beside it. Empty: as the user arranges them.
+    void showStep(const QStringList& keys);
+    static QString alwaysShown();  ///< key of the lobe chart
+
+    /// While an exercise runs what would give its answer away is hidden.
+    void setExercising(bool exercising);
+    bool isExercising() const { return is_exercising_; }
+
     PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* lobes() const { return lobes_; }
     plot::ChartView* waves() const { return waves_; }
@@ -43,6 +51,8 @@ signals:
     void notWritten(const QString& path);  ///< the system refused to write this file
 
 private:
+    bool isOpen() const;  ///< the charts that say where it chatters are shown
+    void showCharts();
     void showLobes();
     void showCut();
     void showRevolution();
@@ -54,6 +64,7 @@ private:
     std::optional<training::Decay> blow_;
     double time_s_ = 0;
     int revolution_ = -1;
+    bool is_exercising_ = false;
     PrimaryViews* primaryViews_;
     plot::ChartView* lobes_;
     plot::ChartView* growth_;

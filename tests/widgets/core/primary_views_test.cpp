@@ -51,6 +51,27 @@ private slots:
         QCOMPARE(labels_[0]->property("smallView").toBool(), false);
     }
 
+    /// Two large views and the rest small; one above the other where there is no room beside.
+    void aViewStandsBesideTheLargeOne()
+    {
+        views_->setPrimary("map");
+        views_->setBeside("table");
+        const auto frame = [this](std::size_t i) { return labels_[i]->parentWidget()->geometry(); };
+        QCOMPARE(frame(2).top(), frame(1).top());
+        QVERIFY(frame(2).right() < frame(1).left());
+        QVERIFY(std::abs(frame(2).width() - frame(1).width()) <= 1);
+        QVERIFY(frame(0).width() < frame(1).width());
+        QVERIFY(labels_[0]->isVisible());
+        views_->resize(500, 800);
+        QVERIFY(labels_[2]->isVisible() && labels_[1]->isVisible() && !labels_[0]->isVisible());
+        QVERIFY(frame(2).bottom() < frame(1).top());
+        views_->setPresenting(true);  // one at a time
+        QVERIFY(!labels_[2]->isVisible() && labels_[1]->isVisible());
+        views_->setPresenting(false);
+        views_->setBeside({});
+        QVERIFY(!labels_[2]->isVisible());
+    }
+
     void aBarTakesASecondRowWhereTheFirstIsTooNarrow()
     {
         QWidget bar;

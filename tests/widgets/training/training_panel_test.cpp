@@ -140,11 +140,43 @@ private slots:
         languages.use("en");
     }
 
+    /// The panel as the window gives it room at 1280 × 800.
+    void whatAStepSpeaksOfIsOnScreen()
+    {
+        panel_->resize(1280, 650);
+        TourPane& tour = panel_->tour();
+        PrimaryViews& views = *panel_->views().primaryViews();
+        for (int step = 0; step < tour.steps(); ++step) {
+            tour.goTo(step);
+            settle();
+            const QString what = QString("step %1: %2").arg(step + 1).arg(views.primary());
+            const bool has_chart = views.keys().contains(TrainingViews::alwaysShown());
+            QVERIFY2(has_chart != panel_->views().isExercising(), qPrintable(what));
+            QWidget* const primary = views.findChild<QWidget*>("training_" + views.primary());
+            if (primary) QVERIFY2(primary->isVisible() && primary->height() >= 150, qPrintable(what));
+            if (!has_chart) continue;
+            const plot::ChartView& chart = *panel_->views().lobes();
+            QVERIFY2(chart.isVisible() && chart.width() >= 250 && chart.height() >= 150, qPrintable(what));
+            QVERIFY2(chart.glows(), qPrintable(what));
+            const report::Plot& plot = chart.data();
+            QCOMPARE(plot.handles.size(), std::size_t{1});
+            const report::Handle& handle = plot.handles.front();
+            QVERIFY2(plot.x.range->from <= handle.x && handle.x <= plot.x.range->to, qPrintable(what));
+            QVERIFY2(plot.y.range->from <= handle.y && handle.y <= plot.y.range->to, qPrintable(what));
+        }
+        tour.goTo(-1);
+        QVERIFY(!panel_->views().lobes()->glows());
+    }
+
     void anExerciseIsSolvedAndFailed()
     {
         ExercisePane& pane = panel_->exercises();
+        const auto shows = [this](const char* key) {
+            return panel_->views().primaryViews()->keys().contains(QString(key));
+        };
         pane.begin(training::ExerciseKind::SafeSpeed, 3);
         QCOMPARE(pane.cutsLeft(), 3);
+        for (const char* key : {"lobes", "growth", "frf", "comparison", "why"}) QVERIFY(!shows(key));
         int heard = 0;
         connect(&pane, &ExercisePane::cutHeard, this, [&heard] { ++heard; });
         pane.listen(pane.exercise()->speed_rpm.from);
@@ -154,6 +186,7 @@ private slots:
         const Interval right = training::grade(*pane.exercise(), 0).expected.front();
         pane.submitAnswer((right.from + right.to) / 2);
         QVERIFY(pane.grade()->correct);
+        QVERIFY(shows("lobes"));
         pane.begin(training::ExerciseKind::Damping, 7);
         QVERIFY(panel_->views().primaryViews()->keys().contains("exercise"));
         pane.submitAnswer(77);

@@ -21,6 +21,7 @@ constexpr int leastStrip_chars = 26;
 constexpr int mostStrip_chars = 60;
 constexpr double flattest = 0.36;     // height of a small view with its caption to the width of the strip, at least
 constexpr double twoColumns = 1.5;    // width of a strip of two columns to that of one
+constexpr double widePair = 1.15;     // width to height from which two large views stand side by side
 constexpr double smallAspect = 0.78;  // height of a small view to its width, at most
 
 }  // namespace
@@ -111,6 +112,39 @@ void PrimaryViews::setPrimary(const QString& key)
     emit primaryChanged(key);
 }
 
+void PrimaryViews::setBeside(const QString& key)
+{
+    ViewFrame* const frame = find(key);
+    if (frame == beside_) return;
+    beside_ = frame;
+    arrange();
+}
+
+bool PrimaryViews::isPair() const
+{
+    return beside_ && beside_ != primary_ && beside_->isAvailable() && !presenting_ && !all_;
+}
+
+/// The primary view, behind or below the one beside it.
+void PrimaryViews::placeLarge(const QRect& room)
+{
+    QRect main = room;
+    if (isPair()) {
+        QRect first = room;
+        if (room.width() > widePair * room.height()) {
+            first.setWidth((room.width() - frameGap_px) / 2);
+            main.setLeft(first.right() + 1 + frameGap_px);
+        } else {
+            first.setHeight((room.height() - frameGap_px) / 2);
+            main.setTop(first.bottom() + 1 + frameGap_px);
+        }
+        beside_->setGeometry(first);
+        beside_->show();
+    }
+    primary_->setGeometry(main);
+    primary_->show();
+}
+
 void PrimaryViews::setShowsAll(bool all)
 {
     if (all == all_) return;
@@ -149,10 +183,11 @@ void PrimaryViews::arrange()
     const bool alone = presenting_ || all.size() < 2;
     const bool narrow = !alone && width() < stripFrom_chars * chars;
     for (ViewFrame* frame : frames_) {
-        const bool large = frame == primary_ || (all_ && !narrow && !alone);
+        const bool in_pair = isPair() && frame == beside_;
+        const bool large = frame == primary_ || in_pair || (all_ && !narrow && !alone);
         frame->setSmall(!large);
-        frame->setCaptionVisible(!narrow && !alone);
-        if (!frame->isAvailable() || ((narrow || alone) && frame != primary_)) frame->hide();
+        frame->setCaptionVisible((!narrow || isPair()) && !alone);
+        if (!frame->isAvailable() || ((narrow || alone) && frame != primary_ && !in_pair)) frame->hide();
     }
     int top = 0;
     tabs_->setVisible(narrow);
@@ -173,7 +208,7 @@ void PrimaryViews::arrange()
         frame->show();
     };
     if (!primary_ || room.isEmpty()) return;
-    if (narrow || alone) return place(primary_, room);
+    if (narrow || alone) return placeLarge(room);
     if (all_) {
         const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(all.size()))));
         const int rows = (static_cast<int>(all.size()) + columns - 1) / columns;
@@ -188,18 +223,19 @@ void PrimaryViews::arrange()
     }
     int strip =
         std::clamp(static_cast<int>(stripShare * room.width()), leastStrip_chars * chars, mostStrip_chars * chars);
-    const int count = static_cast<int>(all.size()) - 1;
+    const int count = static_cast<int>(all.size()) - (isPair() ? 2 : 1);
     const auto heightIn = [&](int rows) { return (room.height() - frameGap_px * (rows - 1)) / rows; };
     // Charts that would be too flat are placed in two columns.
     const int columns = heightIn(count) < flattest * strip ? 2 : 1;
     if (columns == 2) strip = static_cast<int>(twoColumns * strip);
-    place(primary_, QRect(0, room.top(), room.width() - strip - frameGap_px, room.height()));
+    placeLarge(QRect(0, room.top(), room.width() - (count > 0 ? strip + frameGap_px : 0), room.height()));
+    if (count == 0) return;
     const int width = (strip - frameGap_px * (columns - 1)) / columns;
     const int most = static_cast<int>(smallAspect * width) + primary_->captionHeight();
     const int each = std::min(most, heightIn((count + columns - 1) / columns));
     int number = 0;
     for (ViewFrame* frame : all) {
-        if (frame == primary_) continue;
+        if (frame == primary_ || (isPair() && frame == beside_)) continue;
         place(frame, QRect(room.width() - strip + number % columns * (width + frameGap_px),
                            room.top() + number / columns * (each + frameGap_px), width, each));
         ++number;

@@ -27,6 +27,7 @@ public:
     QStringList keys() const;                 ///< keys of the available views in their order
     QString title(const QString& key) const;  ///< title of a view; empty: no such view
     void setPrimary(const QString& key);      ///< ignored for an unknown or unavailable view
+    void setBeside(const QString& key);       ///< of a second large view before the primary one; empty: none
     bool showsAll() const { return all_; }
     void setShowsAll(bool all);
     void setPresenting(bool presenting);  ///< the large view alone; arrow keys go through all
@@ -45,10 +46,13 @@ protected:
 private:
     void arrange();
     std::vector<ViewFrame*> shown() const;
+    bool isPair() const;
+    void placeLarge(const QRect& room);
     ViewFrame* find(const QString& key) const;
 
     std::vector<ViewFrame*> frames_;  ///< in order of addition
     ViewFrame* primary_ = nullptr;
+    ViewFrame* beside_ = nullptr;  ///< a second large view; null: none
     QTabBar* tabs_;
     bool all_ = false;
     bool presenting_ = false;

@@ -6912,14 +6912,6 @@
         <translation>{speed} obr/min · głębokość {depth_mm:3} mm</translation>
     </message>
     <message>
-        <source>{speed} 1/min · depth {depth_mm:3} mm, limit {limit_mm:3} mm · {frequency} Hz · {k} whole waves, ε = {phase}°</source>
-        <translation>{speed} obr/min · głębokość {depth_mm:3} mm, granica {limit_mm:3} mm · {frequency} Hz · {k} całych fal, ε = {phase}°</translation>
-    </message>
-    <message>
-        <source>{speed} 1/min · depth {depth_mm:3} mm, no lobe limits here · {frequency} Hz</source>
-        <translation>{speed} obr/min · głębokość {depth_mm:3} mm, nic jej tu nie ogranicza · {frequency} Hz</translation>
-    </message>
-    <message>
         <source>Training: a cut and its chatter</source>
         <translation>Szkolenie: skrawanie i jego drgania</translation>
     </message>
@@ -7554,14 +7546,6 @@
     <message>
         <source>mean {mean} µm · range {range} µm · least with X moved by {offset} µm on diameter</source>
         <translation>średnio {mean} µm · rozstęp {range} µm · najmniej po przesunięciu X o {offset} µm na średnicy</translation>
-    </message>
-    <message>
-        <source>Largest error of the corrected program</source>
-        <translation>Największy błąd skorygowanego programu</translation>
-    </message>
-    <message>
-        <source>{changed} blocks changed, {added} added · largest correction {correction} µm on diameter · {before} µm without it</source>
-        <translation>zmienione bloki: {changed}, dodane: {added} · największa korekcja {correction} µm na średnicy · bez niej {before} µm</translation>
     </message>
     <message>
         <source>Predicted diameter error</source>
@@ -12868,20 +12852,12 @@
         <translation>łańcuch wykonany w tym folderze</translation>
     </message>
     <message>
-        <source>Largest |E_n| of prediction and copy</source>
-        <translation>Największa wartość |E_n| przewidywania i kopii</translation>
-    </message>
-    <message>
         <source>✓ prediction agrees with the copy</source>
         <translation>✓ przewidywanie zgodne z kopią</translation>
     </message>
     <message>
         <source>✗ prediction disagrees with the copy</source>
         <translation>✗ przewidywanie niezgodne z kopią</translation>
-    </message>
-    <message>
-        <source>{agreeing} of {rows} rows agree within both uncertainties.</source>
-        <translation>Wiersze zgodne w granicach obu niepewności: {agreeing} z {rows}.</translation>
     </message>
     <message>
         <source>Fitted to the copy</source>
@@ -16239,6 +16215,82 @@
         <source>Makes the job, set-up or spindle that is not given, from SHOP.json or the shop that is built-in; what nobody stated is marked as assumed.</source>
         <translation>Tworzy zadanie, ustawienie albo wrzeciono, których nie podano, z SHOP.json albo z warsztatu wbudowanego; to, czego nikt nie podał, jest oznaczone jako przyjęte.</translation>
     </message>
+    <message>
+        <source>Prediction and copy differ by</source>
+        <translation>Przewidywanie i kopia różnią się o</translation>
+    </message>
+    <message>
+        <source>|E_n| {error:2} · {agreeing} of {rows} rows agree within both uncertainties.</source>
+        <translation>|E_n| {error:2} · {agreeing} z {rows} wierszy zgadza się w granicach obu niepewności.</translation>
+    </message>
+    <message>
+        <source>Largest error after the correction</source>
+        <translation>Największy błąd po korekcji</translation>
+    </message>
+    <message>
+        <source>corrected</source>
+        <translation>skorygowano</translation>
+    </message>
+    <message>
+        <source>{before} µm without the correction · largest change {correction} µm on diameter</source>
+        <translation>{before} µm bez korekcji · największa zmiana {correction} µm na średnicy</translation>
+    </message>
+    <message>
+        <source>The program follows the prediction to {residual:2} µm, allowed {allowed} µm</source>
+        <translation>Program zgadza się z przewidywaniem do {residual:2} µm, dozwolone {allowed} µm</translation>
+    </message>
+    <message>
+        <source>{changed} blocks changed, {added} added</source>
+        <translation>zmieniono bloków: {changed}, dodano: {added}</translation>
+    </message>
+    <message>
+        <source>Stiffness of the chuck face</source>
+        <translation>Sztywność czoła uchwytu</translation>
+    </message>
+    <message>
+        <source>N/µm</source>
+        <translation>N/µm</translation>
+    </message>
+    <message>
+        <source>The rod held out is reproduced to {residual} % · responses: {responses}</source>
+        <translation>Odłożony pręt odtworzony do {residual} % · charakterystyk: {responses}</translation>
+    </message>
+    <message>
+        <source>The rods are reproduced to {residual} % · responses: {responses}</source>
+        <translation>Pręty odtworzone do {residual} % · charakterystyk: {responses}</translation>
+    </message>
+    <message>
+        <source>Depth that is stable over the pass</source>
+        <translation>Głębokość stabilna w całym przejściu</translation>
+    </message>
+    <message>
+        <source>Depth that is stable here</source>
+        <translation>Głębokość stabilna w tym miejscu</translation>
+    </message>
+    <message>
+        <source>Grows {growth} % with each turn · {room_mm:2} mm too deep</source>
+        <translation>Rośnie o {growth} % na obrót · o {room_mm:2} mm za głęboko</translation>
+    </message>
+    <message>
+        <source>Grows {growth} % with each turn</source>
+        <translation>Rośnie o {growth} % na obrót</translation>
+    </message>
+    <message>
+        <source>Dies away by {growth} % with each turn · {room_mm:2} mm to the limit</source>
+        <translation>Zanika o {growth} % na obrót · {room_mm:2} mm do granicy</translation>
+    </message>
+    <message>
+        <source>Dies away by {growth} % with each turn</source>
+        <translation>Zanika o {growth} % na obrót</translation>
+    </message>
+    <message>
+        <source>{speed} 1/min · {frequency} Hz · {k} whole waves, ε = {phase}°</source>
+        <translation>{speed} obr/min · {frequency} Hz · całych fal: {k}, ε = {phase}°</translation>
+    </message>
+    <message>
+        <source>{speed} 1/min · {frequency} Hz · no lobe limits here</source>
+        <translation>{speed} obr/min · {frequency} Hz · żaden worek tu nie ogranicza</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>
@@ -17899,6 +17951,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Sizes</source>
         <translation>Wymiary</translation>
     </message>
+    <message>
+        <source>%1 (limit %2)</source>
+        <translation>%1 (granica %2)</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::compare_panel::StatisticsTable</name>
@@ -18032,10 +18088,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
 <context>
     <name>lathelier::cylindricity_panel::CylindricityViews</name>
     <message>
-        <source>Points</source>
-        <translation>Punkty</translation>
-    </message>
-    <message>
         <source>Error drawn × %1</source>
         <translation>Błąd narysowany × %1</translation>
     </message>
@@ -18102,10 +18154,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
 <context>
     <name>lathelier::deflection_panel::DeflectionViews</name>
     <message>
-        <source>Error and bent work</source>
-        <translation>Błąd i wygięty przedmiot</translation>
-    </message>
-    <message>
         <source>Forces</source>
         <translation>Siły</translation>
     </message>
@@ -18148,6 +18196,26 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Feed along z</source>
         <translation>Posuw wzdłuż z</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Przedmiot</translation>
+    </message>
+    <message>
+        <source>Bend drawn × %1 while the tool cuts at z %2</source>
+        <translation>Ugięcie narysowane × %1, gdy narzędzie skrawa przy z %2</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>narzędzie</translation>
+    </message>
+    <message>
+        <source>Bent work and its error</source>
+        <translation>Ugięty przedmiot i jego błąd</translation>
+    </message>
+    <message>
+        <source>Bent axis</source>
+        <translation>Ugięta oś</translation>
     </message>
 </context>
 <context>
@@ -20658,6 +20726,22 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Without a spindle there is no dynamics to choose speeds by: the finish keeps its cutting speed of %1, and the speed follows the diameter. A spindle (SPINDLE.json, or “Spindle” of the project) gives each cylinder its own speed and says why.</source>
         <translation>Bez wrzeciona nie ma dynamiki, z której wynikałyby obroty: wykańczanie zachowuje prędkość skrawania %1, a obroty zależą od średnicy. Wrzeciono (SPINDLE.json albo wrzeciono z projektu) daje każdemu walcowi jego własne obroty i podaje powód.</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Półfabrykat</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Narzędzie</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>wiersz %1: %2</translation>
+    </message>
+    <message>
+        <source>Part as it is cut</source>
+        <translation>Część podczas skrawania</translation>
     </message>
 </context>
 </TS>

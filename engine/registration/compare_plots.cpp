@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/skin.h"
 #include "engine/core/statistics.h"
 #include "engine/core/units.h"
 #include "engine/registration/surface_form.h"
@@ -256,11 +257,7 @@ double magnification(const CompareResult& result)
     if (result.windows)
         for (const SurfaceRow& face : result.windows->faces)
             if (face.mean_mm != 0) most = std::min(most, 0.1 * length_mm / std::abs(face.mean_mm));
-    if (most < 1) return 1;
-    const double power = std::pow(10.0, std::floor(std::log10(most)));
-    for (const double factor : {5.0, 2.0})
-        if (factor * power <= most) return factor * power;
-    return power;
+    return readableFactor(most);
 }
 
 report::Plot magnifiedMeridian(const CompareResult& result, const Language& language,

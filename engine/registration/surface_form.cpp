@@ -34,11 +34,10 @@ double radiusAt_mm(const Meridian& meridian, double z_mm)
 class SmallestWindows {
 public:
     /// result.windows has to be there, with windows in it.
-    /// `with_faces`: those of faces across the axis too.
-    SmallestWindows(const CompareResult& result, bool with_faces, const Progress& progress)
+    SmallestWindows(const CompareResult& result, WindowsOn on, const Progress& progress)
         : all_(*result.windows),
           meridian_(result.meridian ? &*result.meridian : nullptr),
-          numbers_(numbersOf(all_, with_faces)),
+          numbers_(numbersOf(all_, on)),
           index_(placesOf(all_, numbers_), progress)
     {
     }
@@ -46,10 +45,11 @@ public:
     /// The windows about places on the reference's surface, in its frame; noWindow where none is near.
     void find(std::span<const Eigen::Vector3d> places_mm, std::span<std::uint32_t> windows) const
     {
+        std::fill(windows.begin(), windows.end(), noWindow);
+        if (numbers_.empty()) return;
         std::vector<Neighbours::Found> found(places_mm.size());
         index_.nearest(places_mm, std::numeric_limits<double>::infinity(), found);
         for (std::size_t i = 0; i < places_mm.size(); ++i) {
-            windows[i] = noWindow;
             if (found[i].place == Neighbours::Found::none) continue;
             const std::uint32_t window = numbers_[index_.input(found[i].place)];
             if (isNear(all_.windows[window], places_mm[i], std::sqrt(found[i].squared_mm2))) windows[i] = window;
@@ -57,13 +57,13 @@ public:
     }
 
 private:
-    static std::vector<std::uint32_t> numbersOf(const SurfaceWindows& all, bool with_faces)
+    static std::vector<std::uint32_t> numbersOf(const SurfaceWindows& all, WindowsOn on)
     {
         std::vector<std::uint32_t> numbers;
         for (std::uint32_t i = 0; i < all.windows.size() && all.windows[i].smallest; i += all.about) {
             const std::int32_t stretch = all.windows[i].stretch;
-            if (with_faces || stretch < 0 || !all.stretches[static_cast<std::size_t>(stretch)].isFace())
-                numbers.push_back(i);
+            const bool is_face = stretch >= 0 && all.stretches[static_cast<std::size_t>(stretch)].isFace();
+            if (on == WindowsOn::All || is_face == (on == WindowsOn::Faces)) numbers.push_back(i);
         }
         return numbers;
     }
@@ -122,7 +122,7 @@ std::vector<std::uint32_t> windowsOfPoints(const Scan& copy, const CompareResult
     const SurfaceWindows& all = *result.windows;
     std::vector<std::uint32_t> windows(copy.points_mm.size(), noWindow);
     if (!hasSmallest(all)) return windows;
-    const SmallestWindows smallest(result, true, progress);
+    const SmallestWindows smallest(result, WindowsOn::All, progress);
     const Eigen::Isometry3d& reference_T_copy = result.alignment.reference_T_copy;
     parallelFor(windows.size(), windowsPerTask, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<Eigen::Vector3d> places;
@@ -145,6 +145,21 @@ std::vector<std::uint32_t> windowsOfPoints(const Scan& copy, const CompareResult
     return windows;
 }
 
+std::vector<std::uint32_t> windowsOfPlaces(std::span<const Eigen::Vector3d> places_mm, const CompareResult& result,
+                                           WindowsOn on, const Progress& progress)
+{
+    std::vector<std::uint32_t> windows(places_mm.size(), noWindow);
+    if (!hasSmallest(*result.windows)) return windows;
+    const SmallestWindows smallest(result, on, progress);
+    parallelFor(windows.size(), windowsPerTask, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t from = begin; from < end; from += queryBatch) {
+            const std::size_t count = std::min(queryBatch, end - from);
+            smallest.find(places_mm.subspan(from, count), std::span(windows).subspan(from, count));
+        }
+    });
+    return windows;
+}
+
 std::vector<std::uint32_t> windowsOfMap(const CompareResult& result, const Progress& progress)
 {
     const UnrolledMap& map = *result.unrolled;
@@ -153,7 +168,7 @@ std::vector<std::uint32_t> windowsOfMap(const CompareResult& result, const Progr
     if (!result.windows || !hasSmallest(*result.windows) || !result.meridian || !result.axis_T_reference)
         return windows;
     // The map is unrolled from the sides: no face has a place on it.
-    const SmallestWindows smallest(result, false, progress);
+    const SmallestWindows smallest(result, WindowsOn::Sides, progress);
     const Eigen::Isometry3d reference_T_axis = result.axis_T_reference->inverse();
     parallelFor(static_cast<std::size_t>(map.z_count), 8, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<Eigen::Vector3d> places(angles);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/core/progress.h"
@@ -25,6 +26,13 @@ std::vector<std::uint32_t> windowsOfPoints(const Scan& copy, const CompareResult
 
 /// The same for the cells of the unrolled map, row-major, z slow. result.unrolled has to be there.
 std::vector<std::uint32_t> windowsOfMap(const CompareResult& result, const Progress& progress = {});
+
+/// Which windows may colour a place: the nearest of all, or of the sides only, or of the faces across the axis only.
+enum class WindowsOn { All, Sides, Faces };
+
+/// The same for places on the reference's surface, in its frame. result.windows has to be there.
+std::vector<std::uint32_t> windowsOfPlaces(std::span<const Eigen::Vector3d> places_mm, const CompareResult& result,
+                                           WindowsOn on, const Progress& progress = {});
 
 /// The mean over the smallest window about each place whose standard uncertainty is at most `sigma_limit_mm`, or over a
 /// smaller one from which the next larger differs by more than 4 standard uncertainties: form, which a larger window

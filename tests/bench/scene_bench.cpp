@@ -4,7 +4,9 @@
 
 #include <QApplication>
 #include <QScreen>
+#include <cmath>
 
+#include "engine/core/skin.h"
 #include "engine/sample/sample.h"
 #include "widgets/scene/scene_view.h"
 
@@ -29,6 +31,23 @@ std::vector<scene::SceneObject> twoScans()
     copy.scene_T_scan.translation().x() = 40;
     copy.values = values;
     return {reference, copy};
+}
+
+/// The closed surface that a comparison draws, as fine as it becomes.
+std::vector<scene::SceneObject> skin()
+{
+    Skin surface;
+    surface.stations =
+        stationsAlong({{0, 0}, {0, 15}, {98, 15}, {98, 18.5}, {108, 18.5}, {108, 17}, {183, 17}, {183, 0}}, 0.6);
+    surface.angle_count = 240;
+    surface.values.resize(surface.vertexCount());
+    for (std::size_t i = 0; i < surface.values.size(); ++i)
+        surface.values[i] = 0.1F * std::sin(static_cast<float>(i) * 1e-3F);
+    surface.shift_mm = normalShift_mm(surface);
+    scene::SceneObject part;
+    part.scan = std::make_shared<const Scan>(meshOf(surface, 20, Eigen::Isometry3d::Identity()));
+    part.values = std::make_shared<const std::vector<float>>(surface.values);
+    return {part};
 }
 
 /// One frame as the user gets it: drawn, composed, sent, taken by the X server.
@@ -57,8 +76,9 @@ void turning(benchmark::State& state, std::vector<scene::SceneObject> objects)
 int main(int argc, char** argv)
 {
     QApplication application(argc, argv);
-    for (const auto& [name, objects] :
-         {std::pair{"empty scene", std::vector<scene::SceneObject>{}}, {"2 x 732k points", twoScans()}})
+    for (const auto& [name, objects] : {std::pair{"empty scene", std::vector<scene::SceneObject>{}},
+                                        {"2 x 732k points", twoScans()},
+                                        {"skin", skin()}})
         benchmark::RegisterBenchmark(name, [objects = objects](benchmark::State& state) { turning(state, objects); })
             ->Args({1280, 720})
             ->Args({1920, 1080})

@@ -17,6 +17,7 @@
 namespace lathelier::compare_panel {
 namespace {
 
+constexpr int skinObject = 2;               // in the scene, behind the original and the copy
 constexpr double leastTolerance_mm = 1e-4;  // least tolerance reachable by dragging
 
 std::string pngOf(const QImage& image)
@@ -97,15 +98,13 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     connect(p.scene, &scene::SceneView::pointPicked, this, [this](int object, qint64 point) {
         setPlace(placeOfPoint(*parts_->outcome, static_cast<std::size_t>(point), object == 0));
     });
-    connect(p.scene, &scene::SceneView::surfacePicked, this, [this](int object, const scene::PickedPlace& surface) {
-        setPlace(placeOnMesh(*parts_->outcome, surface, object == 0));
-    });
+    connect(p.scene, &scene::SceneView::surfacePicked, this,
+            [this](int object, const scene::PickedPlace& surface) { setPlace(placeOf(object, surface)); });
     connect(p.scene, &scene::SceneView::pointHovered, this, [this](int object, qint64 point) {
         tag(placeOfPoint(*parts_->outcome, static_cast<std::size_t>(point), object == 0));
     });
-    connect(p.scene, &scene::SceneView::surfaceHovered, this, [this](int object, const scene::PickedPlace& surface) {
-        tag(placeOnMesh(*parts_->outcome, surface, object == 0));
-    });
+    connect(p.scene, &scene::SceneView::surfaceHovered, this,
+            [this](int object, const scene::PickedPlace& surface) { tag(placeOf(object, surface)); });
     connect(p.map, &plot::PlotCanvas::clicked, this, [this](double z, double angle) {
         if (parts_->hasAxis()) setPlace(placeOnSurface(*parts_->outcome, z, std::clamp(angle, 0.0, 359.999)));
     });
@@ -147,6 +146,13 @@ void CompareViews::markAlong(double z_mm, std::optional<double> angle_deg)
 PrimaryViews* CompareViews::primaryViews() const
 {
     return parts_->primary_views;
+}
+
+/// Of a mesh in the scene: the original, the copy or the skin.
+cad::ComparePlace CompareViews::placeOf(int object, const scene::PickedPlace& surface) const
+{
+    const cad::CompareOutcome& outcome = *parts_->outcome;
+    return object == skinObject ? placeOnSkin(outcome, surface) : placeOnMesh(outcome, surface, object == 0);
 }
 
 const std::optional<cad::ComparePlace>& CompareViews::place() const
@@ -292,7 +298,8 @@ void CompareViews::showSurface()
     if (deviation && p.smooth->isChecked()) copy.values = p.outcome->form.local_mean_mm;
     if (deviation && !copy.values)
         copy.values = std::shared_ptr<const std::vector<float>>(p.outcome->result, &result.deviation_mm);
-    if (copy.values) copy.outward_mm = exaggerated(result.deviation_mm, *copy.values, p.factor->value());
+    const double factor = p.factor->value();
+    if (copy.values && !p.showsSkin()) copy.outward_mm = exaggerated(result.deviation_mm, *copy.values, factor);
     if (copy.values && p.shares())
         copy.values = std::make_shared<const std::vector<float>>(
             sharesOfLimits_percent(result.parameters, *copy.values, result.windows->z_mm));
@@ -300,10 +307,47 @@ void CompareViews::showSurface()
     p.coloured_by_share = copy.values && p.shares();
     copy.along_axis = p.outcome->form.along_axis;
     recolour(p.greenWithin());
-    p.scene->setObjects({reference, copy});
+    std::vector<scene::SceneObject> objects{reference, copy};
+    if (p.showsSkin()) {
+        objects.back().visible = false;
+        objects.push_back(skin());
+    }
+    p.scene->setObjects(std::move(objects));
     // With a magnified error the wireframe of the original is shown.
-    const bool exaggerates = copy.outward_mm && p.factor->value() > 1;
+    const bool exaggerates = copy.values && factor > 1;
+    std::vector<scene::SceneFlag> flags;
+    if (copy.values)
+        for (const cad::CompareFlag& flag : flagsOf(*p.outcome)) {
+            const auto ink =
+                flag.verdict ? (*flag.verdict == Verdict::Pass ? report::ColourRole::Within : report::ColourRole::Limit)
+                             : report::ColourRole::Neutral;
+            flags.push_back({shownPlace_mm(*p.outcome, flag.reference_mm, p.showsSkin() ? factor : 0), flagWords(flag),
+                             plot::toQt(report::colourOf(ink))});
+        }
+    p.scene->setFlags(std::move(flags));
     p.scene->setOutline(exaggerates ? cad::outlineOf(result) : std::vector<std::vector<Eigen::Vector3d>>());
+}
+
+/// The surface of the copy, closed and without the scanner's noise.
+scene::SceneObject CompareViews::skin()
+{
+    Parts& p = *parts_;
+    const std::shared_ptr<const Skin>& skin = p.outcome->form.skin;
+    const double factor = p.factor->value();
+    if (p.skin.skin != skin || p.skin.factor != factor)
+        p.skin = {skin, factor,
+                  std::make_shared<const Scan>(meshOf(*skin, factor, p.result().axis_T_reference->inverse()))};
+    scene::SceneObject object;
+    object.name = tr("Copy");
+    object.scan = p.skin.mesh;
+    object.values = std::shared_ptr<const std::vector<float>>(skin, &skin->values);
+    if (!p.shares()) return object;
+    std::vector<float> z_mm(skin->values.size());
+    for (std::size_t i = 0; i < z_mm.size(); ++i)
+        z_mm[i] = static_cast<float>(skin->stations[i / static_cast<std::size_t>(skin->angle_count)].z_mm);
+    object.values =
+        std::make_shared<const std::vector<float>>(sharesOfLimits_percent(p.result().parameters, skin->values, z_mm));
+    return object;
 }
 
 void CompareViews::recolour(std::optional<double> tolerance_mm)
@@ -354,7 +398,9 @@ void CompareViews::setPlace(const std::optional<cad::ComparePlace>& place)
         p.sizes->markZ({});
         return;
     }
-    p.scene->setMarker(place->reference_mm, allWords(*place));
+    p.scene->setMarker(
+        p.showsSkin() ? shownPlace_mm(*p.outcome, place->reference_mm, p.factor->value()) : place->reference_mm,
+        allWords(*place));
     const bool onMap = place->z_mm && place->angle_deg;
     p.map->setMarker(onMap ? std::optional(QPointF(*place->z_mm, *place->angle_deg)) : std::nullopt);
     p.along->setMarker(place->z_mm);

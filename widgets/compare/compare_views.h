@@ -9,6 +9,7 @@
 #include "engine/cad/task/compare_places.h"
 #include "engine/registration/copies.h"
 #include "engine/report/document.h"
+#include "widgets/scene/scene_data.h"
 
 namespace lathelier {
 class PrimaryViews;
@@ -66,6 +67,8 @@ private:
     void arrange();
     void recolour(std::optional<double> tolerance_mm);
     void tag(const cad::ComparePlace& place);
+    cad::ComparePlace placeOf(int object, const scene::PickedPlace& surface) const;
+    scene::SceneObject skin();
 
     std::unique_ptr<Parts> parts_;
 };

@@ -39,11 +39,16 @@ struct CompareViews::Parts {
         friend bool operator==(const Counted&, const Counted&) = default;
     } counted;
     std::shared_ptr<const std::vector<float>> coloured;  ///< deviations shown on the part; null: none
-    bool coloured_by_share = false;                      ///< `coloured` are shares of the limits
-    std::optional<double> chosen_lower_mm;               ///< extent below 0 in mm; none: symmetric
-    std::optional<double> chosen_factor;                 ///< chosen magnification of the error; none: from the result
-    bool restored = false;                               ///< the choices above were restored from the opened project
-    std::optional<double> dragged_tolerance_mm;          ///< tolerance being dragged; the result may be older
+    struct ShownSkin {                                   ///< the skin as drawn
+        std::shared_ptr<const Skin> skin;                ///< of the outcome; null: none is drawn
+        double factor = 1;                               ///< magnification of the error
+        ScanPtr mesh;                                    ///< in the reference's frame
+    } skin;
+    bool coloured_by_share = false;              ///< `coloured` are shares of the limits
+    std::optional<double> chosen_lower_mm;       ///< extent below 0 in mm; none: symmetric
+    std::optional<double> chosen_factor;         ///< chosen magnification of the error; none: from the result
+    bool restored = false;                       ///< the choices above were restored from the opened project
+    std::optional<double> dragged_tolerance_mm;  ///< tolerance being dragged; the result may be older
 
     scene::SceneView* scene = nullptr;                 ///< reference and copy in space
     plot::MapView* map = nullptr;                      ///< unrolled map of the deviation
@@ -73,6 +78,8 @@ struct CompareViews::Parts {
 
     const registration::CompareResult& result() const { return *outcome->result; }
     bool hasAxis() const { return outcome && result().unrolled && result().meridian && result().axis_T_reference; }
+    /// Whether the part is drawn as its skin, coloured by local means.
+    bool showsSkin() const { return outcome && outcome->form.skin && deviation->isChecked() && smooth->isChecked(); }
     /// Whether the colours show shares of the limits at each place, in %.
     bool shares() const
     {

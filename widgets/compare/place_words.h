@@ -13,7 +13,10 @@ QString valueWords(const std::optional<double>& value_mm);
 /// On one line: along and about the axis, or the coordinates where there is none.
 QString placeWords(const cad::ComparePlace& place);
 
-/// Coordinates, place about the axis, deviation and mean, each on its own line.
+/// "+0.050 mm (limit 0.040)".
+QString flagWords(const cad::CompareFlag& flag);
+
+/// Deviation and mean, place about the axis, coordinates, each on its own line.
 QString allWords(const cad::ComparePlace& place);
 
 }  // namespace lathelier::compare_panel

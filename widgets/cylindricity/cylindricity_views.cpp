@@ -12,16 +12,10 @@
 namespace lathelier::cylindricity_panel {
 namespace {
 
-/// Magnification of the error in the 3-D view: 1, 2 or 5 times a power of ten; the zone takes an eighth of the radius
-/// at most.
+/// Magnification of the error in the 3-D view: the zone takes an eighth of the radius at most.
 double magnificationOf(const form::FittedCylinder& cylinder)
 {
-    const double most = 0.125 * cylinder.radius_mm * 1000 / std::max(cylinder.CYLt_um, 1e-6);
-    if (most < 1) return 1;
-    const double power = std::pow(10.0, std::floor(std::log10(most)));
-    for (const double factor : {5.0, 2.0})
-        if (factor * power <= most) return factor * power;
-    return power;
+    return readableFactor(0.125 * cylinder.radius_mm * 1000 / std::max(cylinder.CYLt_um, 1e-6));
 }
 
 }  // namespace
@@ -68,22 +62,19 @@ CylindricityViews::CylindricityViews(QWidget* parent)
     connect(section_, &QToolButton::clicked, this, [this] {
         if (place_) emit sectionRequested(place_->x());
     });
-    connect(scene_, &scene::SceneView::pointPicked, this, [this](int, qint64 point) {
-        const Eigen::Vector2d place =
-            placeAbout(*outcome_->surface, outcome_->scan().points_mm[static_cast<std::size_t>(point)]);
+    const auto placeOf = [this](const scene::PickedPlace& on) -> Eigen::Vector2d {
+        const Eigen::Vector3d place = placeOn(skin_, on);
+        const double angle_deg = std::atan2(place.y(), place.x()) * 180 / M_PI;
+        return {place.z(), angle_deg < 0 ? angle_deg + 360 : angle_deg};
+    };
+    connect(scene_, &scene::SceneView::surfacePicked, this, [this, placeOf](int, const scene::PickedPlace& on) {
+        const Eigen::Vector2d place = placeOf(on);
         markPlace(place.x(), place.y());
     });
-    connect(scene_, &scene::SceneView::surfacePicked, this, [this](int, const scene::PickedPlace& on) {
-        Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();
-        for (std::size_t i = 0; i < 3; ++i)
-            point_mm += on.weights[static_cast<Eigen::Index>(i)] * outcome_->scan().points_mm[on.corners[i]];
-        const Eigen::Vector2d place = placeAbout(*outcome_->surface, point_mm);
-        markPlace(place.x(), place.y());
-    });
-    connect(scene_, &scene::SceneView::pointHovered, this, [this](int, qint64 point) {
-        const auto vertex = static_cast<std::size_t>(point);
-        const Eigen::Vector2d place = placeAbout(*outcome_->surface, outcome_->scan().points_mm[vertex]);
-        const double deviation_um = 1000 * static_cast<double>(outcome_->surface->deviation_mm[vertex]);
+    connect(scene_, &scene::SceneView::surfaceHovered, this, [this, placeOf](int, const scene::PickedPlace& on) {
+        const Eigen::Vector2d place = placeOf(on);
+        const double deviation_um = map_->data().at(place.x(), place.y());
+        if (!std::isfinite(deviation_um)) return;
         scene_->setTag(
             screenQuantity(deviation_um, micrometre, 2, true),
             QString("z %1  ·  %2°").arg(screenQuantity(place.x(), millimetre, 1), screenNumber(place.y(), 0)));
@@ -118,19 +109,20 @@ void CylindricityViews::setOutcome(const std::shared_ptr<const form::Cylindricit
 void CylindricityViews::showPart()
 {
     const form::CylinderSurface& surface = *outcome_->surface;
-    const double factor = magnificationOf(surface.cylinder);
-    auto outward = std::make_shared<std::vector<float>>(surface.deviation_mm.size());
-    for (std::size_t i = 0; i < outward->size(); ++i)
-        (*outward)[i] = static_cast<float>(factor - 1) * surface.deviation_mm[i];
+    factor_ = magnificationOf(surface.cylinder);
+    skin_ = skinOf(surface);
     scene::SceneObject part;
-    part.name = tr("Points");
-    part.scan = ScanPtr(outcome_->points, &outcome_->scan());
-    part.colour = plot::toQt(report::colourOf(report::ColourRole::Copy));
-    part.values = std::shared_ptr<const std::vector<float>>(outcome_->surface, &surface.deviation_mm);
-    part.outward_mm = std::move(outward);
+    part.name = tr("Part");
+    part.scan = std::make_shared<const Scan>(meshOf(skin_, factor_, surface.axis_T_points.inverse()));
+    part.values = std::make_shared<const std::vector<float>>(skin_.values);
     scene_->setLongAxis(scene::SceneAxis{surface.cylinder.axis_point_mm, surface.cylinder.axis_direction});
     scene_->setObjects({part});
-    remark_->setText(tr("Error drawn × %1").arg(screenNumber(factor, 0)));
+    showMagnification();
+}
+
+void CylindricityViews::showMagnification()
+{
+    remark_->setText(tr("Error drawn × %1").arg(screenNumber(factor_, 0)));
 }
 
 Values CylindricityViews::view() const
@@ -187,7 +179,9 @@ void CylindricityViews::showPlace()
     QStringList lines;
     if (std::isfinite(deviation_um)) lines << tr("deviation %1").arg(screenQuantity(deviation_um, micrometre, 2, true));
     lines << tr("along the axis %1, angle %2°").arg(screenQuantity(z_mm, millimetre, 2), screenNumber(angle_deg, 1));
-    scene_->setMarker(placeOnCylinder(*outcome_->surface, z_mm, angle_deg), lines.join('\n'));
+    const Eigen::Isometry3d& axis_T_points = outcome_->surface->axis_T_points;
+    const Eigen::Vector3d place = axis_T_points * placeOnCylinder(*outcome_->surface, z_mm, angle_deg);
+    scene_->setMarker(axis_T_points.inverse() * displacedPlace(skin_, place, factor_), lines.join('\n'));
     map_->setMarker(place_);
     for (plot::ChartView* chart : {radius_, axis_}) chart->setMarker(z_mm);
 }
@@ -206,7 +200,7 @@ void CylindricityViews::retranslate()
     synthetic_->setToolTip(tr("These points were computed, not measured."));
     scene_->setScale({LT_TEXT("Engine", "Deviation"), unit::mm});
     if (!outcome_) return;
-    showPart();
+    showMagnification();
     showCharts();
     showPlace();
 }

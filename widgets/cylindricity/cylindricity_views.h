@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "engine/core/skin.h"
 #include "engine/form/task/cylindricity_task.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
@@ -42,12 +43,15 @@ signals:
 
 private:
     void showPart();
+    void showMagnification();
     void showCharts();
     void showPlace();
     void recolour(double upper_um, double lower_um);
 
     std::shared_ptr<const form::CylindricityOutcome> outcome_;
     std::optional<QPointF> place_;
+    Skin skin_;          ///< of the surface, in the frame of its axis
+    double factor_ = 1;  ///< magnification of its error in the scene
     QLabel* remark_;
     QToolButton* section_;
     QLabel* synthetic_;

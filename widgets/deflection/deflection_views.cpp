@@ -2,18 +2,36 @@
 
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
-#include "engine/deflection/deflected_shape.h"
+#include "engine/core/units.h"
+#include "engine/deflection/bent_skin.h"
 #include "engine/deflection/deflection_plots.h"
 #include "engine/deflection/map_chart.h"
 #include "engine/stock/stock_plots.h"
 #include "widgets/core/language.h"
+#include "widgets/core/panel/view_frame.h"
 
 namespace lathelier::deflection_panel {
+namespace {
+
+constexpr int contourSteps = 5;  // of the colours to each side
+
+double toolRadius_mm(const Skin& skin, double z_mm)
+{
+    const SkinStation* nearest = &skin.stations.front();
+    for (const SkinStation& station : skin.stations)
+        if (!station.isFace() && std::abs(station.z_mm - z_mm) < std::abs(nearest->z_mm - z_mm)) nearest = &station;
+    return nearest->radius_mm;
+}
+
+}  // namespace
 
 DeflectionViews::DeflectionViews(QWidget* parent)
     : QWidget(parent),
       primaryViews_(new PrimaryViews),
+      bent_(new scene::SceneView),
+      remark_(new QLabel),
       error_(new plot::ChartView),
       shape_(new plot::ChartView),
       forces_(new plot::ChartView),
@@ -30,9 +48,16 @@ DeflectionViews::DeflectionViews(QWidget* parent)
     auto* both = new QWidget;
     auto* stacked = new QVBoxLayout(both);
     stacked->setContentsMargins(0, 0, 0, 0);
-    stacked->addWidget(error_, 3);
-    stacked->addWidget(shape_, 2);
+    stacked->setSpacing(0);
+    stacked->addWidget(remark_);
+    stacked->addWidget(bent_, 3);
+    stacked->addWidget(error_, 2);
+    bent_->setVisible(bent_->canDraw());
+    bent_->setObjectName("deflectionBent");
+    remark_->setObjectName("deflectionRemark");
+    remark_->setProperty(ViewFrame::onlyLarge, true);
     primaryViews_->add("error", both);
+    primaryViews_->add("shape", shape_);
     primaryViews_->add("stock", stock_);
     primaryViews_->add("findings", findings_);
     primaryViews_->add("forces", forces_);
@@ -133,11 +158,38 @@ void DeflectionViews::showTool()
     shape_->setData(deflection::shapePlot(shape));
     forces_->setData(deflection::forcesPlot(passes[pass]));
     for (plot::ChartView* chart : {error_, forces_, depth_, power_, feed_}) chart->setMarker(shape.tool_z_mm);
+    showBent(shape);
+}
+
+void DeflectionViews::showBent(const deflection::DeflectedShape& shape)
+{
+    const deflection::TurningStudy& study = *outcome_->study;
+    const Skin skin = deflection::bentSkin(outcome_->job->plan, shape, study.prediction.final);
+    const double factor = deflection::bendMagnification(skin);
+    scene::SceneObject work;
+    work.name = tr("Work");
+    work.scan = std::make_shared<const Scan>(meshOf(skin, factor, Eigen::Isometry3d::Identity()));
+    work.values = std::make_shared<const std::vector<float>>(skin.values);
+    double largest_um = 0;
+    for (const float value : skin.values)
+        if (!std::isnan(value)) largest_um = std::max(largest_um, std::abs(static_cast<double>(value)));
+    report::DeviationColours colours{report::niceLimit(std::max(largest_um, 1e-3))};
+    colours.steps = contourSteps;
+    bent_->setScale({LT_TEXT("Engine", "Diameter error"), micrometre});
+    bent_->setColours(colours);
+    bent_->setLongAxis(scene::SceneAxis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
+    bent_->setObjects({work});
+    remark_->setText(tr("Bend drawn × %1 while the tool cuts at z %2")
+                         .arg(screenNumber(factor, 0), screenQuantity(shape.tool_z_mm, millimetre, 1)));
+    const Eigen::Vector3d tool(toolRadius_mm(skin, shape.tool_z_mm), 0, shape.tool_z_mm);
+    bent_->setFlags(
+        {{displacedPlace(skin, tool, factor), tr("tool"), plot::toQt(report::colourOf(report::ColourRole::Limit))}});
 }
 
 void DeflectionViews::retranslate()
 {
-    primaryViews_->setTitle("error", tr("Error and bent work"));
+    primaryViews_->setTitle("error", tr("Bent work and its error"));
+    primaryViews_->setTitle("shape", tr("Bent axis"));
     primaryViews_->setTitle("stock", tr("Stock after each pass"));
     primaryViews_->setTitle("findings", tr("What the tool meets"));
     primaryViews_->setTitle("forces", tr("Forces"));

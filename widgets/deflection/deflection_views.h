@@ -1,7 +1,8 @@
-// The views of the deflection of the work: the error along z over the deflected work with a draggable tool, forces,
-// depth, power, the map over depth and feed, sensitivities, measured diameters.
+// The views of the deflection of the work: the work as it bends over the error along z, its axis with a draggable tool,
+// forces, depth, power, the map over depth and feed, sensitivities, measured diameters.
 #pragma once
 
+#include <QLabel>
 #include <QWidget>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
+#include "widgets/scene/scene_view.h"
 
 namespace lathelier::deflection_panel {
 
@@ -42,11 +44,14 @@ signals:
 private:
     void show();
     void showTool();
+    void showBent(const deflection::DeflectedShape& shape);
 
     std::shared_ptr<const DeflectionOutcome> outcome_;
     double toolZ_mm_ = 0;
     bool isToolPlaced_ = false;  ///< the tool was placed by the user
     PrimaryViews* primaryViews_;
+    scene::SceneView* bent_;
+    QLabel* remark_;  ///< magnification of the bend
     plot::ChartView* error_;
     plot::ChartView* shape_;
     plot::ChartView* forces_;

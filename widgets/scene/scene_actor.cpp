@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t mostThinned = 200000;
 constexpr std::size_t mostTrianglesMoving = 200000;
 constexpr std::size_t grain = 65536;
+constexpr report::Rgb noValue{150, 150, 150};
 
 vtkSmartPointer<vtkPoints> upload(std::size_t count, const std::function<Eigen::Vector3d(std::size_t)>& place)
 {
@@ -57,6 +58,20 @@ void setTriangles(vtkPolyData* data, const std::vector<std::array<std::uint32_t,
     data->SetPolys(cells);
 }
 
+void setNormals(vtkPolyData* data, const Scan& scan, const Eigen::Isometry3d& scene_T_scan)
+{
+    vtkNew<vtkFloatArray> normals;
+    normals->SetNumberOfComponents(3);
+    normals->SetNumberOfTuples(static_cast<vtkIdType>(scan.normals.size()));
+    float* out = normals->GetPointer(0);
+    const Eigen::Matrix3f turn = scene_T_scan.linear().cast<float>();
+    for (const Eigen::Vector3f& normal : scan.normals) {
+        const Eigen::Vector3f turned = turn * normal;
+        out = std::copy(turned.data(), turned.data() + 3, out);
+    }
+    data->GetPointData()->SetNormals(normals);
+}
+
 /// Shading factor of a surface with this normal, so that the shape of a uniformly coloured cloud is visible.
 double shade(const Eigen::Vector3d& normal)
 {
@@ -91,11 +106,17 @@ SceneActor::SceneActor(vtkRenderer* renderer, const SceneObject& object, const E
         return local * scan.points_mm[i] + static_cast<double>((*object.outward_mm)[i]) * outward(object, axis, i);
     };
     full_.data->SetPoints(upload(scan.points_mm.size(), place));
-    if (scan.isMesh())
-        setTriangles(full_.data, scan.triangles);
-    else
-        setVertices(full_.data, scan.points_mm.size());
+    if (scan.isMesh() && scan.hasNormals() && !displaced) setNormals(full_.data, scan, object.scene_T_scan);
+    if (!scan.isMesh()) setVertices(full_.data, scan.points_mm.size());
     prepare(full_, 2);
+    if (scan.isMesh()) {
+        unknown_.data->SetPoints(full_.data->GetPoints());
+        unknown_.data->GetPointData()->SetNormals(full_.data->GetPointData()->GetNormals());
+        prepare(unknown_, 2);
+        unknown_.mapper->ScalarVisibilityOff();
+        const double grey = noValue.red / 255.0;
+        unknown_.actor->GetProperty()->SetColor(grey, grey, grey);
+    }
 
     thinned_ = scan.isMesh() ? scan.triangles.size() > mostTrianglesMoving : scan.points_mm.size() > 20000;
     if (!thinned_) return;
@@ -108,6 +129,7 @@ SceneActor::~SceneActor()
 {
     renderer_->RemoveActor(full_.actor);
     renderer_->RemoveActor(thin_.actor);
+    renderer_->RemoveActor(unknown_.actor);
 }
 
 void SceneActor::prepare(Layer& layer, double pointSize)
@@ -139,8 +161,8 @@ void SceneActor::update(const SceneObject& object, const report::DeviationColour
     object_ = object;
     const Scan& scan = *object.scan;
     const std::size_t count = scan.points_mm.size();
-    unsigned char* out = full_.colours->GetPointer(0);
     const bool valued = object.values && object.values->size() == count;
+    unsigned char* out = full_.colours->GetPointer(0);
     const auto store = [&](std::size_t i, report::Rgb c) {
         out[3 * i] = c.red;
         out[3 * i + 1] = c.green;
@@ -171,8 +193,7 @@ void SceneActor::update(const SceneObject& object, const report::DeviationColour
             if (valued) {
                 const double value = static_cast<double>((*object.values)[i]);
                 const double at = std::clamp((value - least) / range, 0.0, 1.0);
-                c = std::isnan(value) ? report::Rgb{150, 150, 150}
-                                      : table[static_cast<std::size_t>(std::lround(at * steps))];
+                c = std::isnan(value) ? noValue : table[static_cast<std::size_t>(std::lround(at * steps))];
             }
             store(i, shaded(c, brightness(i)));
         }
@@ -184,9 +205,52 @@ void SceneActor::update(const SceneObject& object, const report::DeviationColour
             std::copy(out + 3 * std::size_t{order_[i]}, out + 3 * std::size_t{order_[i]} + 3, thin + 3 * i);
         thin_.colours->Modified();
     }
+    if (scan.isMesh()) colourBetweenCorners(valued ? std::optional(colours) : std::nullopt);
     full_.data->Modified();
     thin_.data->Modified();
     show();
+}
+
+/// The steps of the scale end where the value does, between the corners too. None: the plain colour.
+void SceneActor::colourBetweenCorners(const std::optional<report::DeviationColours>& colours)
+{
+    const std::vector<std::array<std::uint32_t, 3>>& triangles = object_.scan->triangles;
+    if (!colours) {
+        setTriangles(full_.data, triangles);
+        setTriangles(unknown_.data, {});
+        full_.data->GetPointData()->SetScalars(full_.colours);
+        full_.mapper->SetColorModeToDirectScalars();
+        full_.mapper->InterpolateScalarsBeforeMappingOff();
+        return;
+    }
+    constexpr int steps = 2048;
+    const std::vector<float>& values = *object_.values;
+    values_->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), values_->GetPointer(0));
+    values_->Modified();
+    const double least = colours->least(), range = colours->limit - least;
+    scale_->SetNumberOfTableValues(steps);
+    scale_->SetTableRange(least, colours->limit);
+    const auto share = [](int part) { return part / 255.0; };
+    for (int i = 0; i < steps; ++i) {
+        const report::Rgb c = (*colours)(least + range * (i + 0.5) / steps);
+        scale_->SetTableValue(i, share(c.red), share(c.green), share(c.blue));
+    }
+    // Colours between a known and an unknown corner would be those of neither.
+    std::vector<std::array<std::uint32_t, 3>> known, unknown;
+    known.reserve(triangles.size());
+    for (const auto& corners : triangles) {
+        const bool is_known = std::none_of(corners.begin(), corners.end(),
+                                           [&values](std::uint32_t corner) { return std::isnan(values[corner]); });
+        (is_known ? known : unknown).push_back(corners);
+    }
+    setTriangles(full_.data, known);
+    setTriangles(unknown_.data, unknown);
+    full_.data->GetPointData()->SetScalars(values_);
+    full_.mapper->SetLookupTable(scale_);
+    full_.mapper->UseLookupTableScalarRangeOn();
+    full_.mapper->SetColorModeToMapScalars();
+    full_.mapper->InterpolateScalarsBeforeMappingOn();
 }
 
 void SceneActor::setMoving(bool moving)
@@ -204,12 +268,13 @@ void SceneActor::show()
 {
     const bool thin = moving_ && thinned_;
     full_.actor->SetVisibility(object_.visible && !thin);
+    unknown_.actor->SetVisibility(object_.visible && !thin && object_.scan->isMesh());
     thin_.actor->SetVisibility(object_.visible && thin);
 }
 
 void SceneActor::setSection(vtkPlane* plane)
 {
-    for (Layer* layer : {&full_, &thin_}) {
+    for (Layer* layer : {&full_, &thin_, &unknown_}) {
         layer->mapper->RemoveAllClippingPlanes();
         if (plane) layer->mapper->AddClippingPlane(plane);
     }

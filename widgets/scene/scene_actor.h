@@ -3,6 +3,8 @@
 #pragma once
 
 #include <vtkActor.h>
+#include <vtkFloatArray.h>
+#include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPolyData.h>
@@ -48,6 +50,7 @@ private:
         vtkNew<vtkActor> actor;                ///< actor in the renderer
         vtkNew<vtkUnsignedCharArray> colours;  ///< red, green, blue of each point
     };
+    void colourBetweenCorners(const std::optional<report::DeviationColours>& colours);
     void prepare(Layer& layer, double pointSize);
     void show();
 
@@ -58,6 +61,9 @@ private:
     std::vector<std::uint32_t> order_;
     Layer full_;
     Layer thin_;
+    Layer unknown_;                 ///< triangles of a mesh with a corner whose value is not known
+    vtkNew<vtkFloatArray> values_;  ///< of the corners of a mesh
+    vtkNew<vtkLookupTable> scale_;  ///< from value to colour, applied between the corners
 };
 
 }  // namespace lathelier::scene

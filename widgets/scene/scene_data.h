@@ -26,13 +26,20 @@ struct SceneObject {
     /// Of a cloud without normals: 1 or -1 where outward is along the long axis or against it, as on the faces of a
     /// turned part; 0 or null: away from the axis.
     std::shared_ptr<const std::vector<std::int8_t>> along_axis;
-    bool visible = true;  ///< false: kept without being drawn
+    bool visible = true;  ///< false: not drawn
 };
 
 /// The long axis of the part, horizontal in the standard views. Without one the longest extent is horizontal.
 struct SceneAxis {
     Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();    ///< a point of the axis, in the scene
     Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< unit vector in the scene
+};
+
+/// A value at a place of the part.
+struct SceneFlag {
+    Eigen::Vector3d place_mm = Eigen::Vector3d::Zero();  ///< in the scene
+    QString words;                                       ///< "+0.050 mm (limit 0.040)"
+    QColor colour;                                       ///< of its verdict
 };
 
 using PickedPlace = MeshPlace;

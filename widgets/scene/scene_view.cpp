@@ -19,6 +19,14 @@ namespace {
 
 constexpr int restAfter_ms = 250;
 constexpr int pointingAfter_ms = 60;
+constexpr double sameExtent = 0.1;  // of the diagonal
+
+/// Of about the same size at the same place: the view point stays, as for the next part and for one that is cut.
+bool isAbout(const SceneBox& a, const SceneBox& b)
+{
+    const double apart_mm = std::max((a.low - b.low).norm(), (a.high - b.high).norm());
+    return apart_mm < sameExtent * std::min((a.high - a.low).norm(), (b.high - b.low).norm());
+}
 
 }  // namespace
 
@@ -53,6 +61,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     p.legend = new plot::ColourLegend(this);
     p.legend->setAutoFillBackground(true);
     row->addWidget(p.legend);
+    p.flags = new SceneFlags(p.canvas);
     p.ruler = new SceneRuler(p.canvas);
     p.label = new SceneLabel(p.canvas);
     p.cross = new SceneLabel(p.canvas);
@@ -120,13 +129,14 @@ SceneView::Speed SceneView::speed() const
 void SceneView::setObjects(std::vector<SceneObject> objects)
 {
     Parts& p = *parts_;
-    const bool fresh = p.objects.empty() || objects.empty() || p.objects.front().scan != objects.front().scan;
+    const bool other = p.objects.empty() || objects.empty() || p.objects.front().scan != objects.front().scan;
     p.objects = std::move(objects);
     if (!canDraw()) return;
     p.canvas->makeCurrent();
-    if (fresh) {
+    const SceneBox box = other ? extent(p.objects, Eigen::Matrix3d::Identity()) : p.box;
+    if (other && !isAbout(box, p.box)) {
         p.actors.clear();
-        const SceneBox box = extent(p.objects, Eigen::Matrix3d::Identity());
+        p.box = box;
         p.origin = (box.low + box.high) / 2;
         Eigen::Index along = 0;
         (box.high - box.low).maxCoeff(&along);
@@ -137,6 +147,10 @@ void SceneView::setObjects(std::vector<SceneObject> objects)
     p.actors.clear();
     for (const SceneObject& object : p.objects) {
         std::unique_ptr<SceneActor> actor;
+        if (!object.visible) {
+            p.actors.push_back(nullptr);  // uploaded when it is drawn
+            continue;
+        }
         for (auto& old : kept)
             if (old && old->sameGeometry(object)) {
                 actor = std::move(old);
@@ -147,7 +161,8 @@ void SceneView::setObjects(std::vector<SceneObject> objects)
         p.actors.push_back(std::move(actor));
     }
     kept.clear();
-    for (std::size_t i = 0; i < p.actors.size(); ++i) p.actors[i]->update(p.objects[i], p.colours, p.axis);
+    for (std::size_t i = 0; i < p.actors.size(); ++i)
+        if (p.actors[i]) p.actors[i]->update(p.objects[i], p.colours, p.axis);
     showAround();
     shareBudget();
     applySection();
@@ -169,6 +184,8 @@ void SceneView::showAround()
                                     [](const SceneObject& object) { return object.visible && object.values; });
     p.legend->setVisible(valued && !small);
     p.ruler->setVisible(!small);
+    p.flags->setVisible(!small);
+    placeOverlays();
 }
 
 bool SceneView::event(QEvent* event)
@@ -215,6 +232,7 @@ void SceneView::setView(const std::vector<double>& view)
     if (!turns || !(camera.distance_mm > 0) || !(camera.half_height_mm > 0)) return;
     Parts& p = *parts_;
     p.kept = camera;
+    p.standing.reset();
     if (p.objects.empty()) return;
     p.aim(camera);
     p.aimed = true;
@@ -238,7 +256,7 @@ void SceneView::setColours(const report::DeviationColours& colours)
     if (!canDraw()) return;
     p.legend->setColours(colours);
     for (std::size_t i = 0; i < p.actors.size(); ++i)
-        if (p.objects[i].values) p.actors[i]->update(p.objects[i], colours, p.axis);
+        if (p.actors[i] && p.objects[i].values) p.actors[i]->update(p.objects[i], colours, p.axis);
     // Immediate redraw with the decimated set, the full one after a pause.
     startMoving();
     p.rest.start();
@@ -270,6 +288,7 @@ void SceneView::setViewpoint(SceneViewpoint viewpoint)
     const SceneBox box = extent(shown, p.frame());
     p.aim(cameraFor(viewpoint, p.frame(), box.low, box.high, p.aspect(), isParallel()));
     p.aimed = !p.objects.empty();
+    p.standing = viewpoint;
     render();
 }
 
@@ -311,8 +330,14 @@ void SceneView::applySection()
         p.plane->SetNormal(p.section->normal.data());
         p.plane->SetOrigin(place.data());
     }
-    for (const auto& actor : p.actors) actor->setSection(p.section ? p.plane.Get() : nullptr);
+    for (const auto& actor : p.actors)
+        if (actor) actor->setSection(p.section ? p.plane.Get() : nullptr);
     if (p.outline) p.outline->setSection(p.section ? p.plane.Get() : nullptr);
+}
+
+void SceneView::setFlags(std::vector<SceneFlag> flags)
+{
+    if (canDraw()) parts_->flags->setFlags(std::move(flags));
 }
 
 void SceneView::setMarker(const std::optional<Eigen::Vector3d>& place_mm, const QString& label)
@@ -321,7 +346,6 @@ void SceneView::setMarker(const std::optional<Eigen::Vector3d>& place_mm, const 
     p.marked = place_mm;
     if (!canDraw()) return;
     p.label->setText(label);
-    p.label->setVisible(place_mm && !label.isEmpty());
     placeOverlays();
 }
 

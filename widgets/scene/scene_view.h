@@ -27,7 +27,8 @@ public:
     /// False where there is no OpenGL (an offscreen platform, a missing driver).
     bool canDraw() const;
 
-    /// Shows these objects in place of the earlier ones; the view point stays unless the geometry is new.
+    /// Shows these objects in place of the earlier ones; the view point stays unless the geometry is another
+    /// in size or place.
     void setObjects(std::vector<SceneObject> objects);
     const std::vector<SceneObject>& objects() const;
     void setLongAxis(const std::optional<SceneAxis>& axis);
@@ -55,14 +56,19 @@ public:
     void setSection(int sceneAxis, double share);
     void clearSection();
 
+    /// Values at places, in a large picture.
+    void setFlags(std::vector<SceneFlag> flags);
+
     /// Marks a place, in scene coordinates, with its label.
     void setMarker(const std::optional<Eigen::Vector3d>& place_mm, const QString& label = {});
     std::optional<Eigen::Vector3d> marker() const;
 
-    /// The picture as shown, on white; with `viewpoint` as seen from there. Null where nothing can be drawn.
-    QImage picture(std::optional<SceneViewpoint> viewpoint = {}, bool legend = true);
+    /// The picture as shown, on white; with `viewpoint` as seen from there. Null where nothing can be drawn. `marks`:
+    /// with the place that was marked.
+    QImage picture(std::optional<SceneViewpoint> viewpoint = {}, bool legend = true, bool marks = true);
 
-    /// The same for paper: of one size and resolution whatever the window's, also while the view is hidden.
+    /// The same for paper, without the marked place: of one size and resolution whatever the window's, also while the
+    /// view is hidden.
     QImage paperPicture(std::optional<SceneViewpoint> viewpoint = {});
 
     /// Writes picture() as PNG atomically. Error fileNotWritable.

@@ -11,6 +11,7 @@
 
 #include "engine/core/error.h"
 #include "engine/io/file.h"
+#include "widgets/core/panel/view_frame.h"
 #include "widgets/plot/plot_style.h"
 #include "widgets/scene/scene_parts.h"
 
@@ -32,7 +33,11 @@ void SceneView::placeOverlays()
     p.ruler->resize(p.ruler->sizeHint());
     p.ruler->move(6, room.height() - p.ruler->height() - 4);
     p.ruler->setCamera(p.camera(), room.height());
-    if (p.marked && !p.label->text().isEmpty()) {
+    p.flags->setGeometry(p.canvas->rect());
+    p.flags->setCamera(p.camera());
+    const bool is_labelled = p.marked && !p.label->text().isEmpty() && !property(ViewFrame::smallView).toBool();
+    p.label->setVisible(is_labelled);
+    if (is_labelled) {
         p.label->adjustSize();
         p.label->move(room.width() - p.label->width() - 8, 8);  // the standard oblique view leaves this corner free
     }
@@ -66,7 +71,8 @@ void SceneView::applyStyle(bool paper)
     QFont large = font();
     large.setPointSizeF(1.6 * large.pointSizeF());
     p.cross->setFont(large);
-    for (QWidget* part : {static_cast<QWidget*>(p.ruler), static_cast<QWidget*>(p.legend)}) {
+    for (QWidget* part :
+         {static_cast<QWidget*>(p.ruler), static_cast<QWidget*>(p.legend), static_cast<QWidget*>(p.flags)}) {
         QPalette palette = inks;
         palette.setColor(QPalette::WindowText, style.text);
         palette.setColor(QPalette::Window, style.background);
@@ -88,6 +94,7 @@ void SceneView::changeEvent(QEvent* event)
 void SceneView::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    if (canDraw() && parts_->aimed && parts_->standing) setViewpoint(*parts_->standing);
     placeOverlays();
 }
 
@@ -103,7 +110,7 @@ QImage SceneView::paperPicture(std::optional<SceneViewpoint> viewpoint)
     p.legend->resize(p.legend->sizeHint().width(), paperHigh_px);
     endMoving();  // which sets the detail
     p.canvas->setDetail(paperDetail / p.canvas->devicePixelRatioF());
-    QImage image = picture(viewpoint);
+    QImage image = picture(viewpoint, true, false);
     p.canvas->setDetail(1);
     p.canvas->setGeometry(place);
     p.legend->resize(legend);
@@ -113,11 +120,12 @@ QImage SceneView::paperPicture(std::optional<SceneViewpoint> viewpoint)
     return image;
 }
 
-QImage SceneView::picture(std::optional<SceneViewpoint> viewpoint, bool legend)
+QImage SceneView::picture(std::optional<SceneViewpoint> viewpoint, bool legend, bool marks)
 {
     Parts& p = *parts_;
     if (!canDraw() || p.canvas->size().isEmpty()) return {};
     const SceneCamera before = p.camera();
+    const auto standing = p.standing;
     const bool legendShown = p.legend->isVisibleTo(this);
     endMoving();
     applyStyle(true);
@@ -132,14 +140,16 @@ QImage SceneView::picture(std::optional<SceneViewpoint> viewpoint, bool legend)
     QPainter painter(&image);
     painter.drawImage(0, 0, drawn);
     painter.scale(scale, scale);
-    for (QWidget* over :
-         {static_cast<QWidget*>(p.ruler), static_cast<QWidget*>(p.label), static_cast<QWidget*>(p.cross)})
+    std::vector<QWidget*> shown{p.flags, p.ruler};
+    if (marks) shown.insert(shown.end(), {p.label, p.cross});
+    for (QWidget* over : shown)
         if (over->isVisibleTo(p.canvas)) over->render(&painter, over->pos(), {}, QWidget::DrawChildren);
     if (beside) p.legend->render(&painter, QPoint(p.canvas->width(), 0), {}, {});
     painter.end();
     p.legend->setVisible(legendShown);
     applyStyle(false);
     p.aim(before);
+    p.standing = standing;
     render();
     return image;
 }

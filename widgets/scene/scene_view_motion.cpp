@@ -32,7 +32,8 @@ void SceneView::startMoving()
     if (p.moving) return;
     p.moving = true;
     shareDetail();
-    for (const auto& actor : p.actors) actor->setMoving(true);
+    for (const auto& actor : p.actors)
+        if (actor) actor->setMoving(true);
 }
 
 void SceneView::endMoving()
@@ -41,7 +42,8 @@ void SceneView::endMoving()
     if (!p.moving) return;
     p.moving = false;
     shareDetail();
-    for (const auto& actor : p.actors) actor->setMoving(false);
+    for (const auto& actor : p.actors)
+        if (actor) actor->setMoving(false);
     render();
 }
 
@@ -50,6 +52,7 @@ void SceneView::turn(double right_deg, double up_deg)
     Parts& p = *parts_;
     if (!canDraw()) return;
     startMoving();
+    p.standing.reset();
     vtkCamera* eye = p.canvas->renderer().GetActiveCamera();
     eye->Azimuth(-right_deg);
     eye->Elevation(-up_deg);
@@ -62,6 +65,7 @@ void SceneView::zoom(double factor)
 {
     Parts& p = *parts_;
     startMoving();
+    p.standing.reset();
     vtkCamera* eye = p.canvas->renderer().GetActiveCamera();
     if (isParallel())
         eye->SetParallelScale(eye->GetParallelScale() / factor);
@@ -80,6 +84,7 @@ void SceneView::drag(const QPoint& to, Qt::MouseButtons buttons, Qt::KeyboardMod
     if (buttons & Qt::RightButton) return zoom(std::exp(-zoomOverHeight * way.y()));
     if (!(buttons & Qt::MiddleButton) && !(keys & Qt::ShiftModifier))
         return turn(turnOverHeight_deg * way.x(), -turnOverHeight_deg * way.y());
+    p.standing.reset();
     SceneCamera camera = p.camera();
     const Eigen::Vector3d shift(2 * camera.half_height_mm * way.x(), -2 * camera.half_height_mm * way.y(), 0);
     camera.view_T_scene.pretranslate(shift);
@@ -117,13 +122,13 @@ void SceneView::shareBudget()
 {
     Parts& p = *parts_;
     std::size_t clouds = 0;
-    for (const auto& actor : p.actors) clouds += actor->object().visible && actor->isThinned();
+    for (const auto& actor : p.actors) clouds += actor && actor->isThinned();
     p.speed.moving_points = 0;
     for (const auto& actor : p.actors) {
+        if (!actor) continue;
         const std::size_t share = p.budget / std::max<std::size_t>(1, clouds);
         actor->setBudget(share);
-        if (actor->object().visible && actor->isThinned())
-            p.speed.moving_points += std::min(share, actor->thinnedCount());
+        if (actor->isThinned()) p.speed.moving_points += std::min(share, actor->thinnedCount());
     }
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/cam/drawn/stock_skin.h"
 #include "engine/core/units.h"
 #include "widgets/core/language.h"
 #include "widgets/program_common/program_editor.h"
@@ -21,6 +22,7 @@ using program_common::ProgramEditor;
 
 constexpr int places = ToolScrubber::places;
 constexpr int leastPixels = 200;
+const QColor steel(150, 160, 172), carbide(190, 150, 60);
 
 QSplitter* stacked(std::initializer_list<QWidget*> parts)
 {
@@ -35,6 +37,7 @@ QSplitter* stacked(std::initializer_list<QWidget*> parts)
 TurningViews::TurningViews(QWidget* parent)
     : QWidget(parent),
       primaryViews_(new PrimaryViews),
+      cut_(new scene::SceneView),
       contour_(new plot::ChartView),
       courses_(new CourseCharts(contour_)),
       path_(new plot::ChartView),
@@ -51,6 +54,7 @@ TurningViews::TurningViews(QWidget* parent)
       tools_(new CopyTable),
       scrubber_(new ToolScrubber)
 {
+    cut_->setObjectName("turningCut");
     contour_->setObjectName("turningContour");
     path_->setObjectName("turningPath");
     why_->setObjectName("turningWhy");
@@ -62,6 +66,8 @@ TurningViews::TurningViews(QWidget* parent)
     tools_->setObjectName("turningTools");
     sentence_->setObjectName("turningSentence");
     lobes_->setObjectName("turningOpenLobes");
+    primaryViews_->add("cut", cut_);
+    primaryViews_->setAvailable("cut", cut_->canDraw());
     primaryViews_->add("contour", makeContourSide());
     primaryViews_->add("program", makeProgramSide());
     primaryViews_->add("operations", operations_);
@@ -231,6 +237,39 @@ void TurningViews::showStock(const cam::StockShown& shown, bool again)
     for (report::Region& region : path.regions) region.name = std::string();
     contour_->setData(std::move(plot));
     path_->setData(std::move(path));
+    stockShown_.clear();
+    for (const Skin& skin : cam::stockSkins(*outcome_, clamping_, shown)) {
+        scene::SceneObject& piece = stockShown_.emplace_back();
+        piece.name = tr("Stock");
+        piece.scan = std::make_shared<const Scan>(meshOf(skin, 1, Eigen::Isometry3d::Identity()));
+        piece.colour = steel;
+    }
+    showCut();
+}
+
+/// The stock and the tool in space, with what the check found.
+void TurningViews::showCut()
+{
+    constexpr std::size_t mostFlags = 3;
+    std::vector<scene::SceneObject> objects = stockShown_;
+    Scan tool = tool_ > 0 ? cam::toolMesh(*shownClamping(), tip_.x(), tip_.y(), tool_) : Scan();
+    if (tool.isMesh()) {
+        scene::SceneObject& object = objects.emplace_back();
+        object.name = tr("Tool");
+        object.scan = std::make_shared<const Scan>(std::move(tool));
+        object.colour = carbide;
+    }
+    cut_->setLongAxis(scene::SceneAxis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
+    cut_->setObjects(std::move(objects));
+    std::vector<scene::SceneFlag> flags;
+    if (const auto& stock = outcome_->plan->setups[clamping_].check.stock)
+        for (const stock::StockFinding& found : stock->findings) {
+            if (flags.size() == mostFlags) break;
+            flags.push_back({Eigen::Vector3d(found.x_mm, 0, found.z_mm),
+                             tr("line %1: %2").arg(found.line).arg(screenText(stock::nameOf(found.kind))),
+                             plot::toQt(report::colourOf(report::ColourRole::Limit))});
+        }
+    cut_->setFlags(std::move(flags));
 }
 
 /// The tool at a place of the scrubber: its outline, the stock by then, its block in the text.
@@ -287,6 +326,9 @@ void TurningViews::goToLine(std::int64_t line)
 /// 0: the place alone.
 void TurningViews::pointOutTool(const QPointF& tip, int number)
 {
+    tip_ = tip;
+    tool_ = number;
+    showCut();
     plot::PointedOut out;
     out.place = tip;
     if (number > 0) out.shapes = toolShapes(*shownClamping(), tip, number);
@@ -319,6 +361,7 @@ void TurningViews::setPresenting(bool presenting)
 
 void TurningViews::retranslate()
 {
+    primaryViews_->setTitle("cut", tr("Part as it is cut"));
     primaryViews_->setTitle("contour", tr("Contour and stock"));
     primaryViews_->setTitle("program", tr("Program and path"));
     primaryViews_->setTitle("operations", tr("Operations"));

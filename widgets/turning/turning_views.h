@@ -1,6 +1,6 @@
-// The views of a turning program, linked: the contour with its stock and what runs along it; the text, which can be
-// changed, beside its path; operations, speeds with reasons, remaining material and collisions, set-up sheet. Below all
-// of them a scrubber moves the tool along the program.
+// The views of a turning program, linked: the part as it is cut; the contour with its stock, and what runs along it;
+// the text, which can be changed, beside its path; operations, speeds with reasons, remaining material and collisions,
+// set-up sheet. Below all of them a scrubber moves the tool along the program.
 #pragma once
 
 #include <QLabel>
@@ -14,6 +14,7 @@
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
+#include "widgets/scene/scene_view.h"
 #include "widgets/turning/course_charts.h"
 #include "widgets/turning/operations_pane.h"
 #include "widgets/turning/program_bar.h"
@@ -36,6 +37,7 @@ public:
     void setOutcome(const std::shared_ptr<const cam::TurningOutcome>& outcome, bool takes_text);
 
     PrimaryViews* primaryViews() const { return primaryViews_; }
+    scene::SceneView* cut() const { return cut_; }
     plot::ChartView* contour() const { return contour_; }
     CourseCharts* courses() const { return courses_; }
     plot::ChartView* why() const { return why_; }
@@ -82,6 +84,7 @@ private:
     void showTables();
     void showSections();
     void showStock(const cam::StockShown& shown, bool again);
+    void showCut();
     void showWhy(int section);
     void moveTool(int place, bool moves_caret = true);
     void pointOutTool(const QPointF& tip, int number);
@@ -94,6 +97,10 @@ private:
     cam::StockShown stock_;
     std::int64_t line_ = 0;
     PrimaryViews* primaryViews_;
+    scene::SceneView* cut_;
+    std::vector<scene::SceneObject> stockShown_;  ///< of `stock_`, in the scene
+    QPointF tip_;                                 ///< of the tool: z of the stock, radius
+    int tool_ = 0;                                ///< its number; 0: none is shown
     plot::ChartView* contour_;
     CourseCharts* courses_;
     plot::ChartView* path_;

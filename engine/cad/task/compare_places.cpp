@@ -79,6 +79,28 @@ ComparePlace placeOnMesh(const CompareOutcome& outcome, const MeshPlace& surface
     return place;
 }
 
+ComparePlace placeOnSkin(const CompareOutcome& outcome, const MeshPlace& on)
+{
+    const Skin& skin = *outcome.form.skin;
+    const Eigen::Vector3d axis_place = placeOn(skin, on);
+    ComparePlace place;
+    place.reference_mm = outcome.result->axis_T_reference->inverse() * axis_place;
+    place.z_mm = axis_place.z();
+    place.angle_deg = angleOf(axis_place);
+    double mean_mm = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        mean_mm += on.weights[static_cast<Eigen::Index>(i)] * static_cast<double>(skin.values[on.corners[i]]);
+    if (!std::isnan(mean_mm)) place.local_mean_mm = mean_mm;
+    return place;
+}
+
+Eigen::Vector3d shownPlace_mm(const CompareOutcome& outcome, const Eigen::Vector3d& reference_mm, double factor)
+{
+    if (!outcome.form.skin) return reference_mm;
+    const Eigen::Isometry3d& axis_T_reference = *outcome.result->axis_T_reference;
+    return axis_T_reference.inverse() * displacedPlace(*outcome.form.skin, axis_T_reference * reference_mm, factor);
+}
+
 std::vector<std::vector<Eigen::Vector3d>> outlineOf(const registration::CompareResult& result)
 {
     constexpr int ringCorners = 96;
@@ -110,6 +132,27 @@ std::vector<std::vector<Eigen::Vector3d>> outlineOf(const registration::CompareR
         for (const Corner& corner : meridian) line.push_back(place(corner.z, corner.radius, i, along));
     }
     return lines;
+}
+
+std::vector<CompareFlag> flagsOf(const CompareOutcome& outcome)
+{
+    constexpr std::size_t most = 3;  // as many as the answer has
+    constexpr double facingUs_deg = 90;
+    using Kind = registration::Finding::Kind;
+    const registration::CompareResult& result = *outcome.result;
+    std::vector<CompareFlag> flags;
+    for (std::size_t i = 0; i < std::min(most, result.findings.size()); ++i) {
+        const registration::Finding& finding = result.findings[i];
+        if (finding.kind == Kind::Missing) continue;
+        CompareFlag flag{finding.point_mm, finding.value_mm, finding.limit_mm, finding.verdict};
+        if (finding.kind != Kind::Bump) {
+            if (!finding.z_start_mm || !finding.z_end_mm || !result.meridian) continue;
+            flag.reference_mm =
+                placeOnSurface(outcome, (*finding.z_start_mm + *finding.z_end_mm) / 2, facingUs_deg).reference_mm;
+        }
+        flags.push_back(flag);
+    }
+    return flags;
 }
 
 ComparePlace placeOnSurface(const CompareOutcome& outcome, double z_mm, double angle_deg)

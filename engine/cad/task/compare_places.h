@@ -28,8 +28,25 @@ ComparePlace placeOfPoint(const CompareOutcome& outcome, std::size_t point, bool
 /// proportion, as drawn.
 ComparePlace placeOnMesh(const CompareOutcome& outcome, const MeshPlace& surface, bool of_reference = false);
 
+/// A place on form.skin, which has to be there. Its local mean is that of the corners in proportion.
+ComparePlace placeOnSkin(const CompareOutcome& outcome, const MeshPlace& place);
+
+/// The place as form.skin draws it with its error magnified, in the reference's frame; without a skin as it is.
+Eigen::Vector3d shownPlace_mm(const CompareOutcome& outcome, const Eigen::Vector3d& reference_mm, double factor);
+
 /// The place on the reference's meridian; body of revolution only.
 ComparePlace placeOnSurface(const CompareOutcome& outcome, double z_mm, double angle_deg);
+
+/// A difference that views mark on the part.
+struct CompareFlag {
+    Eigen::Vector3d reference_mm = Eigen::Vector3d::Zero();  ///< in the reference's frame
+    double value_mm = 0;                                     ///< of the finding
+    std::optional<double> limit_mm;                          ///< none: no limit
+    std::optional<Verdict> verdict;                          ///< none: no limit
+};
+
+/// The findings of the answer that have a place on the surface, in their order.
+std::vector<CompareFlag> flagsOf(const CompareOutcome& outcome);
 
 /// Wireframe of the original (rings at the ends of its smooth sections and lines along them) in its frame, shown with a
 /// copy drawn with magnified error. Empty without an axis.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/cad/task/compare_inputs.h"
+#include "engine/core/skin.h"
 #include "engine/features/comparison/shaft_comparison.h"
 #include "engine/registration/compare.h"
 #include "engine/registration/copies.h"
@@ -22,6 +23,7 @@ struct DeviationForm {
     /// where there are no faces.
     std::shared_ptr<const std::vector<std::int8_t>> along_axis;
     std::shared_ptr<const std::vector<float>> map_mean_mm;  ///< by cell of the unrolled map; null where there is none
+    std::shared_ptr<const Skin> skin;                       ///< in the frame of the axis; null: no body of revolution
 };
 
 struct CompareOutcome : task::Answered {

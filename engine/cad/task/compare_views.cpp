@@ -5,6 +5,7 @@
 #include "engine/core/json.h"
 #include "engine/features/comparison/shaft_mesh.h"
 #include "engine/registration/compare_plots.h"
+#include "engine/registration/deviation_skin.h"
 #include "engine/registration/surface_form.h"
 #include "engine/registration/verdict/verdict.h"
 #include "engine/task/memo.h"
@@ -53,7 +54,9 @@ DeviationForm formOf(const CompareOutcome& outcome, const Progress& progress)
     }
     if (result.unrolled)
         form.map_mean_mm =
-            std::make_shared<const std::vector<float>>(registration::localMeansOfMap(result, progress.part(0.9, 1)));
+            std::make_shared<const std::vector<float>>(registration::localMeansOfMap(result, progress.part(0.9, 0.95)));
+    auto skin = std::make_shared<const Skin>(registration::deviationSkin(result, progress.part(0.95, 1)));
+    if (!skin->stations.empty()) form.skin = std::move(skin);
     return form;
 }
 

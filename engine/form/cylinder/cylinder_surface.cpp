@@ -141,6 +141,39 @@ CylinderSurface surfaceAbout(const FittedCylinder& cylinder, std::span<const Eig
     return surface;
 }
 
+Skin skinOf(const CylinderSurface& surface)
+{
+    const auto rows = static_cast<std::size_t>(surface.z_count), angles = static_cast<std::size_t>(surface.angle_count);
+    const double radius_mm = surface.cylinder.radius_mm;
+    const double end_mm = surface.z_start_mm + surface.z_step_mm * surface.z_count;
+    Skin skin;
+    skin.angle_count = surface.angle_count;
+    const auto add = [&skin](double z_mm, double r_mm, const Eigen::Vector2d& normal) {
+        skin.stations.push_back({z_mm, r_mm, normal});
+    };
+    add(surface.z_start_mm, 0, -Eigen::Vector2d::UnitX());
+    add(surface.z_start_mm, radius_mm, -Eigen::Vector2d::UnitX());
+    const std::size_t first = skin.stations.size();
+    add(surface.z_start_mm, radius_mm, Eigen::Vector2d::UnitY());
+    for (std::size_t row = 0; row < rows; ++row) add(surface.z_mm[row], radius_mm, Eigen::Vector2d::UnitY());
+    add(end_mm, radius_mm, Eigen::Vector2d::UnitY());
+    add(end_mm, radius_mm, Eigen::Vector2d::UnitX());
+    add(end_mm, 0, Eigen::Vector2d::UnitX());
+    skin.values.assign(skin.vertexCount(), static_cast<float>(notANumber));
+    for (std::size_t station = first; station < first + rows + 2; ++station) {
+        const std::size_t row = std::clamp<std::size_t>(station, first + 1, first + rows) - first - 1;
+        for (std::size_t angle = 0; angle < angles; ++angle) {
+            // A vertex lies between two cells.
+            const double before = static_cast<double>(surface.mean_um[row * angles + (angle + angles - 1) % angles]);
+            const double after = static_cast<double>(surface.mean_um[row * angles + angle]);
+            const double mean = std::isnan(before) ? after : std::isnan(after) ? before : (before + after) / 2;
+            skin.values[station * angles + angle] = static_cast<float>(mean / um_per_mm);
+        }
+    }
+    skin.shift_mm = normalShift_mm(skin);
+    return skin;
+}
+
 Eigen::Vector3d placeOnCylinder(const CylinderSurface& surface, double z_mm, double angle_deg)
 {
     const double angle = angle_deg * std::numbers::pi / 180, radius = surface.cylinder.radius_mm;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/core/progress.h"
+#include "engine/core/skin.h"
 #include "engine/form/cylinder/cylindricity.h"
 
 namespace lathelier::form {
@@ -37,6 +38,9 @@ struct CylinderSurface {
 /// row; 0: none. The same bits for any number of threads. Throws Cancelled.
 CylinderSurface surfaceAbout(const FittedCylinder& cylinder, std::span<const Eigen::Vector3d> points_mm,
                              std::size_t sections, const Progress& progress = {});
+
+/// The closed surface in the cylinder's frame, its ends discs. Values: deviations in mm; NaN where there are no points.
+Skin skinOf(const CylinderSurface& surface);
 
 /// The point of the cylinder at this z and angle, in the coordinates of the points.
 Eigen::Vector3d placeOnCylinder(const CylinderSurface& surface, double z_mm, double angle_deg);

@@ -10,6 +10,7 @@
 
 #include "../core/code_of_error.h"
 #include "case_a.h"
+#include "engine/deflection/bent_skin.h"
 #include "engine/deflection/deflected_shape.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/deflection_quantities.h"
@@ -266,6 +267,59 @@ TEST(Deflection, VerificationAndReport)
     corrected.compensation = compensate(caseAStock(), caseARuns(), caseASetup());
     const report::Document document = deflectionReport(result, {&corrected, nullptr, nullptr, nullptr, nullptr, 20.0});
     EXPECT_GE(document.sections.size(), 4U);
+}
+
+/// What a correction leaves is told with the uncertainty of the prediction, against the limit of the part.
+TEST(Deflection, ACorrectionIsNotSurerThanItsPrediction)
+{
+    CompensationResult result;
+    result.residual.max_um = 0.5;
+    result.parameters.tolerance_um = 0.6;
+    ErrorBand band;
+    band.max_low_um = 20;
+    band.max_high_um = 40;
+    const report::Answer met = answer(result, 25.0, &band);
+    EXPECT_EQ(met.value, 0.5);
+    EXPECT_EQ(met.expanded_uncertainty, 10);
+    EXPECT_EQ(met.upper_limit, 25);
+    EXPECT_EQ(met.verdict, Verdict::Pass);
+    EXPECT_EQ(answer(result, 8.0, &band).verdict, Verdict::Undecided);
+    result.residual.max_um = 30;
+    EXPECT_EQ(answer(result, 8.0, &band).verdict, Verdict::Fail);
+    EXPECT_FALSE(answer(result, std::nullopt, &band).verdict);
+    // Without a band: how far the error grows on the other machines.
+    result.residual.max_um = 0.5;
+    EXPECT_FALSE(answer(result, 8.0, nullptr).expanded_uncertainty);
+    result.robustness.emplace_back().max_after_um = 10.5;
+    EXPECT_EQ(answer(result, 8.0, nullptr).expanded_uncertainty, 10);
+    EXPECT_EQ(answer(result, 8.0, nullptr).verdict, Verdict::Undecided);
+    // Whether the program follows the prediction is another question.
+    EXPECT_EQ(met.findings.front().verdict, Verdict::Pass);
+}
+
+/// The part bends where it is pushed, and carries its error.
+TEST(Deflection, TheBentSkinIsDisplacedAsItsAxis)
+{
+    const WorkPlan plan = workPlan(caseAStock(), caseARuns(), caseASetup());
+    const DeflectionResult result = caseA();
+    const DeflectedShape shape = deflectedShape(plan, caseASetup(), 0, 40);
+    const Skin skin = bentSkin(plan, shape, result.final);
+    const auto columns = static_cast<std::size_t>(skin.angle_count);
+    ASSERT_EQ(skin.values.size(), skin.vertexCount());
+    ASSERT_EQ(skin.shift_mm.size(), skin.vertexCount());
+    EXPECT_NEAR(skin.stations.front().z_mm, 0, 1e-9);
+    EXPECT_NEAR(skin.stations.back().z_mm, plan.length_mm(), 1e-9);
+    double largest_um = 0;
+    for (std::size_t row = 0; row < skin.stations.size(); ++row) {
+        // A ring moves as a whole.
+        EXPECT_EQ(skin.shift_mm[row * columns], skin.shift_mm[row * columns + columns / 2]);
+        const float value = skin.values[row * columns];
+        if (!std::isnan(value)) largest_um = std::max(largest_um, std::abs(static_cast<double>(value)));
+    }
+    EXPECT_NEAR(largest_um, result.summary.max_um, 0.02 * result.summary.max_um);
+    const double free_end_um = 1000 * static_cast<double>(skin.shift_mm.front().x());
+    EXPECT_NEAR(free_end_um, shape.x_um.front(), 1e-3 * std::abs(shape.x_um.front()));
+    EXPECT_GT(bendMagnification(skin), 1);
 }
 
 }  // namespace

@@ -9,8 +9,10 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "engine/core/skin.h"
 #include "engine/sample/sample.h"
 #include "widgets/scene/scene_canvas.h"
+#include "widgets/scene/scene_flags.h"
 
 using namespace lathelier;
 using Eigen::Vector3d;
@@ -221,6 +223,57 @@ private slots:
         mesh.colour = blue;
         view_->setObjects({mesh});
         QVERIFY(count(view_->picture(), isBlue) > 3000);
+    }
+
+    /// Sharp steps of colour between the corners, grey where nothing is known; the view point stays for a part of about
+    /// the same size.
+    void aMeshIsColouredBetweenItsCorners()
+    {
+        Skin skin;
+        skin.stations = stationsAlong({{0, 0}, {0, 20}, {100, 20}, {100, 0}}, 50);
+        skin.angle_count = 60;
+        for (const SkinStation& station : skin.stations)
+            skin.values.insert(skin.values.end(), 60,
+                               station.isFace() ? NAN : static_cast<float>(0.002 * (station.z_mm - 50)));
+        const auto object = [&skin](double factor) {
+            scene::SceneObject part;
+            skin.shift_mm.assign(skin.vertexCount(), Eigen::Vector3f(0.1F, 0, 0));
+            part.scan = std::make_shared<const Scan>(meshOf(skin, factor, Eigen::Isometry3d::Identity()));
+            part.values = std::make_shared<const std::vector<float>>(skin.values);
+            return part;
+        };
+        report::DeviationColours colours{0.1};
+        colours.steps = 2;
+        view_->setLongAxis(scene::SceneAxis{Vector3d::Zero(), Vector3d::UnitZ()});
+        view_->setColours(colours);
+        view_->setObjects({object(0)});
+        const QImage image = view_->picture(scene::SceneViewpoint::Side, false);
+        QVERIFY(count(image, isBlue) > 3000);
+        QVERIFY(count(image, isRed) > 3000);
+        view_->setViewpoint(scene::SceneViewpoint::Top);
+        const std::vector<double> before = view_->view();
+        view_->setObjects({object(10)});
+        QCOMPARE(view_->view(), before);
+        QVERIFY(count(view_->picture({}, false), isRed) > 3000);  // drawn anew
+    }
+
+    void flagsStandBesideEachOther()
+    {
+        view_->setLongAxis(scene::SceneAxis{Vector3d::Zero(), Vector3d::UnitZ()});
+        view_->setObjects({shaft(blue)});
+        view_->setViewpoint(scene::SceneViewpoint::Side);
+        view_->setFlags({{{0, 0, 90}, "+0.050 mm (limit 0.040)", red},
+                         {{0, 0, 91}, "-0.020 mm (limit 0.040)", red},
+                         {{0, 0, 95}, "+0.031 mm (limit 0.040)", red}});
+        QVERIFY(!view_->picture().isNull());  // which places them
+        auto* flags = view_->findChild<scene::SceneFlags*>();
+        QVERIFY(flags);
+        const std::vector<QRectF> labels = flags->labels();
+        QCOMPARE(labels.size(), std::size_t{3});
+        for (std::size_t i = 0; i < 3; ++i) {
+            QVERIFY(QRectF(flags->rect()).contains(labels[i]));
+            for (std::size_t k = 0; k < i; ++k) QVERIFY(!labels[i].intersects(labels[k]));
+        }
     }
 
     void emptyAndSinglePointScenesAreFine()

@@ -105,7 +105,7 @@ void TrainingViews::setOutcome(const std::shared_ptr<const training::TrainingOut
 
 bool TrainingViews::isOpen() const
 {
-    return !is_exercising_ && !(outcome_ && outcome_->question.hide_chart);
+    return !isExercising_ && !(outcome_ && outcome_->question.hide_chart);
 }
 
 void TrainingViews::showCharts()
@@ -115,7 +115,7 @@ void TrainingViews::showCharts()
 
 void TrainingViews::setExercising(bool exercising)
 {
-    is_exercising_ = exercising;
+    isExercising_ = exercising;
     showCharts();
     if (outcome_ && isOpen()) filler_.ask(outcome_->scenario.modes, training::rasterOf(*outcome_));
 }

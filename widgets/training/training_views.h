@@ -36,7 +36,7 @@ public:
 
     /// While an exercise runs what would give its answer away is hidden.
     void setExercising(bool exercising);
-    bool isExercising() const { return is_exercising_; }
+    bool isExercising() const { return isExercising_; }
 
     PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* lobes() const { return lobes_; }
@@ -64,7 +64,7 @@ private:
     std::optional<training::Decay> blow_;
     double time_s_ = 0;
     int revolution_ = -1;
-    bool is_exercising_ = false;
+    bool isExercising_ = false;
     PrimaryViews* primaryViews_;
     plot::ChartView* lobes_;
     plot::ChartView* growth_;

@@ -157,7 +157,7 @@ public:
         return piece;
     }
     /// Under its answer. `figure`: as rulerSvg() gives it, an SVG in an element of HTML.
-    static Piece ruler(std::string figure)
+    static Piece ruler(const std::string& figure)
     {
         const std::size_t from = figure.find("<svg"), to = figure.rfind("</figure>");
         Piece piece = drawing(figure.substr(from, to - from));
@@ -239,8 +239,8 @@ std::vector<Piece> piecesOf(const report::Document& document, const Language& la
         for (const report::Block& block : section.blocks) {
             pieces.push_back(std::visit(maker, block));
             if (const auto* const answer = std::get_if<report::Answer>(&block))
-                if (std::string ruler = report::rulerSvg(*answer, language); !ruler.empty())
-                    pieces.push_back(Maker::ruler(std::move(ruler)));
+                if (const std::string ruler = report::rulerSvg(*answer, language); !ruler.empty())
+                    pieces.push_back(Maker::ruler(ruler));
         }
     }
     if (!document.inputs.empty()) {

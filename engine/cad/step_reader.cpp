@@ -7,6 +7,8 @@
 #include "engine/cad/canonical_surface.h"
 #include "engine/cad/meridian_shaft.h"
 #include "engine/cad/part21.h"
+#include "engine/cad/step/face_shape.h"
+#include "engine/cad/step/hole_marks.h"
 #include "engine/cad/step/step_marks.h"
 #include "engine/cad/step/step_refusal.h"
 #include "engine/cad/step_faces.h"

@@ -4,6 +4,7 @@
 
 #include "engine/core/conformity.h"
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/deflection/deflection_quantities.h"
 #include "engine/deflection/deflection_verification.h"
 #include "engine/deflection/map_chart.h"
@@ -76,8 +77,8 @@ report::Answer answer(const CompensationResult& result, const std::optional<doub
     answer.upper_limit = limit_um;
     answer.verdict_words = LT_TEXT("Engine", "corrected");
     if (limit_um) {
-        answer.verdict =
-            judge(result.residual.max_um, answer.expanded_uncertainty.value_or(0), *limit_um, DecisionRule::Guarded);
+        answer.verdict = judge(result.residual.max_um, answer.expanded_uncertainty.value_or(notANumber), *limit_um,
+                               DecisionRule::Guarded);
         answer.verdict_words = {};
     }
     answer.sentence =

@@ -22,7 +22,8 @@ report::Answer answer(const DeflectionResult& result, const std::optional<double
                       const Language& language = {});
 /// What the correction leaves with the uncertainty of the prediction, against the limit of the diameter error; within
 /// only where the whole interval is. U: that of the band, else how far the error grows on the other machines of the
-/// robustness. Findings: whether the program reaches the prediction (parameter tolerance_um), blocks.
+/// robustness; where neither was computed nothing is decided. Findings: whether the program reaches the prediction
+/// (parameter tolerance_um), blocks.
 report::Answer answer(const CompensationResult& result, const std::optional<double>& limit_um, const ErrorBand* band,
                       const Language& language = {});
 

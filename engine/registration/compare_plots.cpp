@@ -200,7 +200,7 @@ report::ColourMap unrolledMap(const CompareResult& result, bool with_tolerance, 
     } else if (with_tolerance)
         map.tolerance = result.parameters.tolerance_mm;
     else {
-        map.steps = contourSteps;
+        map.steps = report::contourSteps;
         map.marked = result.parameters.tolerance_mm;
     }
     return map;

@@ -47,9 +47,6 @@ double magnification(const CompareResult& result);
 report::Plot histogramPlot(const CompareResult& result, const Language& language = {},
                            std::optional<double> limit_mm = {});
 
-/// Contours of the form on each side of 0.
-inline constexpr int contourSteps = 6;
-
 /// The limit of the colour scale: a round number, with most local means and the tolerance band within it.
 double colourLimit_mm(const CompareResult& result, bool with_tolerance = true);
 

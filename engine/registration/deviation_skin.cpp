@@ -11,7 +11,7 @@ namespace lathelier::registration {
 namespace {
 
 constexpr double endMargin_mm = 3;     // between an end of the data and the face, the bore or the chamfer beside it
-constexpr double mostStations = 700;   // along the meridian
+constexpr double mostStations = 400;   // along the meridian: with mostAngles still drawn whole while it is turned
 constexpr double leastStep_mm = 0.05;  // between stations
 constexpr int fewestAngles = 96, mostAngles = 240;
 

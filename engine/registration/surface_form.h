@@ -15,7 +15,7 @@ namespace lathelier::registration {
 /// Index of a place without a window nearby.
 inline constexpr std::uint32_t noWindow = SurfaceWindow::noWiderWindow;
 /// Largest standard uncertainty of a shown mean as a share of the limit of the colour scale: a quarter of a contour
-/// step, of which there are contourSteps (compare_plots.h) to each side.
+/// step, of which there are contourSteps (report/colours.h) to each side.
 inline constexpr double uncertaintyShareOfScale = 0.04;
 
 /// For each point (vertex) of the copy the place in result.windows->windows of the smallest window around it; noWindow

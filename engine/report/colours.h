@@ -54,6 +54,9 @@ Rgb divergingColour(double share);
 /// error stays visible within tolerance.
 Rgb insideColour(double share);
 
+/// Contours on each side of the middle one, of all surfaces that are coloured in steps.
+inline constexpr int contourSteps = 6;
+
 /// Colour scale from least() to limit, green where |value| <= tolerance, if there is one. Outside the band the colours
 /// start at a saturated blue and red, to distinguish just outside from just inside.
 struct DeviationColours {

@@ -15,8 +15,6 @@
 namespace lathelier::deflection_panel {
 namespace {
 
-constexpr int contourSteps = 5;  // of the colours to each side
-
 double toolRadius_mm(const Skin& skin, double z_mm)
 {
     const SkinStation* nearest = &skin.stations.front();
@@ -83,6 +81,14 @@ DeflectionViews::DeflectionViews(QWidget* parent)
     connect(shape_, &plot::ChartView::handleMoved, this, [this](const QString& key, double z_mm, double, bool) {
         if (key == deflection::toolKey) setTool(z_mm);
     });
+    connect(bent_, &scene::SceneView::limitEdited, this, [this](double upper_um, double lower_um) {
+        report::DeviationColours colours{upper_um};
+        colours.steps = report::contourSteps;
+        if (lower_um > 0) colours.lower = lower_um;
+        chosenColours_ = colours;
+        bent_->setColours(colours);
+    });
+    connect(bent_, &scene::SceneView::notWritten, this, &DeflectionViews::notWritten);
     for (plot::ChartView* chart : {error_, forces_, depth_, power_, feed_})
         connect(chart, &plot::ChartView::clicked, this, [this](double z_mm, double) { setTool(z_mm); });
     retranslate();
@@ -163,6 +169,7 @@ void DeflectionViews::showTool()
 
 void DeflectionViews::showBent(const deflection::DeflectedShape& shape)
 {
+    if (!bent_->canDraw()) return;
     const deflection::TurningStudy& study = *outcome_->study;
     const Skin skin = deflection::bentSkin(outcome_->job->plan, shape, study.prediction.final);
     const double factor = deflection::bendMagnification(skin);
@@ -174,9 +181,9 @@ void DeflectionViews::showBent(const deflection::DeflectedShape& shape)
     for (const float value : skin.values)
         if (!std::isnan(value)) largest_um = std::max(largest_um, std::abs(static_cast<double>(value)));
     report::DeviationColours colours{report::niceLimit(std::max(largest_um, 1e-3))};
-    colours.steps = contourSteps;
+    colours.steps = report::contourSteps;
     bent_->setScale({LT_TEXT("Engine", "Diameter error"), micrometre});
-    bent_->setColours(colours);
+    bent_->setColours(chosenColours_.value_or(colours));
     bent_->setLongAxis(scene::SceneAxis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
     bent_->setObjects({work});
     remark_->setText(tr("Bend drawn × %1 while the tool cuts at z %2")

@@ -51,7 +51,8 @@ private:
     bool isToolPlaced_ = false;  ///< the tool was placed by the user
     PrimaryViews* primaryViews_;
     scene::SceneView* bent_;
-    QLabel* remark_;  ///< magnification of the bend
+    std::optional<report::DeviationColours> chosenColours_;  ///< scale chosen by the user; none: from the data
+    QLabel* remark_;                                         ///< magnification of the bend
     plot::ChartView* error_;
     plot::ChartView* shape_;
     plot::ChartView* forces_;

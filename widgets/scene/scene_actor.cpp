@@ -187,7 +187,9 @@ void SceneActor::update(const SceneObject& object, const report::DeviationColour
     const double least = colours.least(), range = colours.limit - least;
     std::vector<report::Rgb> table(steps + 1);
     for (int i = 0; i <= steps; ++i) table[static_cast<std::size_t>(i)] = colours(least + range * i / steps);
-    parallelFor(count, grain, {}, [&](std::size_t begin, std::size_t end) {
+    // Of a valued mesh only the points that stand for it while it moves need colours of their own.
+    const std::size_t coloured = scan.isMesh() && valued && !thinned_ ? 0 : count;
+    parallelFor(coloured, grain, {}, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             report::Rgb c = plain;
             if (valued) {
@@ -214,9 +216,9 @@ void SceneActor::update(const SceneObject& object, const report::DeviationColour
 /// The steps of the scale end where the value does, between the corners too. None: the plain colour.
 void SceneActor::colourBetweenCorners(const std::optional<report::DeviationColours>& colours)
 {
-    const std::vector<std::array<std::uint32_t, 3>>& triangles = object_.scan->triangles;
     if (!colours) {
-        setTriangles(full_.data, triangles);
+        split_for_.reset();
+        setTriangles(full_.data, object_.scan->triangles);
         setTriangles(unknown_.data, {});
         full_.data->GetPointData()->SetScalars(full_.colours);
         full_.mapper->SetColorModeToDirectScalars();
@@ -224,10 +226,6 @@ void SceneActor::colourBetweenCorners(const std::optional<report::DeviationColou
         return;
     }
     constexpr int steps = 2048;
-    const std::vector<float>& values = *object_.values;
-    values_->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-    std::copy(values.begin(), values.end(), values_->GetPointer(0));
-    values_->Modified();
     const double least = colours->least(), range = colours->limit - least;
     scale_->SetNumberOfTableValues(steps);
     scale_->SetTableRange(least, colours->limit);
@@ -236,10 +234,16 @@ void SceneActor::colourBetweenCorners(const std::optional<report::DeviationColou
         const report::Rgb c = (*colours)(least + range * (i + 0.5) / steps);
         scale_->SetTableValue(i, share(c.red), share(c.green), share(c.blue));
     }
+    if (split_for_ == object_.values) return;  // another scale of the same values
+    split_for_ = object_.values;
+    const std::vector<float>& values = *object_.values;
+    values_->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), values_->GetPointer(0));
+    values_->Modified();
     // Colours between a known and an unknown corner would be those of neither.
     std::vector<std::array<std::uint32_t, 3>> known, unknown;
-    known.reserve(triangles.size());
-    for (const auto& corners : triangles) {
+    known.reserve(object_.scan->triangles.size());
+    for (const auto& corners : object_.scan->triangles) {
         const bool is_known = std::none_of(corners.begin(), corners.end(),
                                            [&values](std::uint32_t corner) { return std::isnan(values[corner]); });
         (is_known ? known : unknown).push_back(corners);

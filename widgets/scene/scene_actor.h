@@ -61,6 +61,7 @@ private:
     std::vector<std::uint32_t> order_;
     Layer full_;
     Layer thin_;
+    std::shared_ptr<const std::vector<float>> split_for_;  ///< values that tell known from unknown triangles
     Layer unknown_;                 ///< triangles of a mesh with a corner whose value is not known
     vtkNew<vtkFloatArray> values_;  ///< of the corners of a mesh
     vtkNew<vtkLookupTable> scale_;  ///< from value to colour, applied between the corners

@@ -200,6 +200,7 @@ void TurningViews::show()
     showText();
     showTables();
     courses_->setOutcome(*outcome_, clamping_);
+    tool_ = 0;  // that of the clamping before
     showStock(stock_, true);
     if (is_editing) return goToLine(editor_->line());
     scrubber_->setPlace(places);
@@ -238,19 +239,21 @@ void TurningViews::showStock(const cam::StockShown& shown, bool again)
     contour_->setData(std::move(plot));
     path_->setData(std::move(path));
     stockShown_.clear();
+    if (!cut_->canDraw()) return;
     for (const Skin& skin : cam::stockSkins(*outcome_, clamping_, shown)) {
         scene::SceneObject& piece = stockShown_.emplace_back();
         piece.name = tr("Stock");
         piece.scan = std::make_shared<const Scan>(meshOf(skin, 1, Eigen::Isometry3d::Identity()));
         piece.colour = steel;
     }
-    showCut();
+    if (again) showCut();  // else the tool follows, which draws both
 }
 
 /// The stock and the tool in space, with what the check found.
 void TurningViews::showCut()
 {
     constexpr std::size_t mostFlags = 3;
+    if (!cut_->canDraw()) return;
     std::vector<scene::SceneObject> objects = stockShown_;
     Scan tool = tool_ > 0 ? cam::toolMesh(*shownClamping(), tip_.x(), tip_.y(), tool_) : Scan();
     if (tool.isMesh()) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/stock/tool_outline.h"
-
 namespace lathelier::cam {
 namespace {
 
@@ -73,17 +71,23 @@ std::vector<Skin> stockSkins(const TurningOutcome& outcome, std::size_t setup, c
     return skins;
 }
 
-Scan toolMesh(const ClampingOutcome& clamping, double tip_z_mm, double tip_x_mm, int number)
+std::optional<stock::ToolOutline> outlineOfTool(const ClampingOutcome& clamping, int number)
 {
-    Scan mesh;
-    if (!clamping.bare) return mesh;
+    if (!clamping.bare) return std::nullopt;
     const auto& tools = clamping.bare->parameters.tools;
     const auto tool =
         std::find_if(tools.begin(), tools.end(), [number](const Tool& each) { return each.number == number; });
-    if (tool == tools.end()) return mesh;
-    const stock::ToolOutline outline = stock::outlineOf(*tool);  // the plan has checked it
-    addPlate(mesh, outline.insert, tip_z_mm, tip_x_mm, insertThickness_mm);
-    for (const stock::ConvexPolygon& holder : outline.holders)
+    if (tool == tools.end()) return std::nullopt;
+    return stock::outlineOf(*tool);  // the plan has checked it
+}
+
+Scan toolMesh(const ClampingOutcome& clamping, double tip_z_mm, double tip_x_mm, int number)
+{
+    Scan mesh;
+    const auto outline = outlineOfTool(clamping, number);
+    if (!outline) return mesh;
+    addPlate(mesh, outline->insert, tip_z_mm, tip_x_mm, insertThickness_mm);
+    for (const stock::ConvexPolygon& holder : outline->holders)
         addPlate(mesh, holder, tip_z_mm, tip_x_mm, holderThickness_mm);
     return mesh;
 }

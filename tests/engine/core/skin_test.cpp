@@ -7,6 +7,8 @@
 #include <map>
 #include <tuple>
 
+#include "tests/mesh_volume.h"
+
 namespace lathelier {
 namespace {
 
@@ -27,14 +29,6 @@ void setValues(Skin& skin, bool faces, double from_mm, double to_mm, float value
         const SkinStation& station = skin.stations[i / static_cast<std::size_t>(skin.angle_count)];
         if (station.isFace() == faces && station.z_mm >= from_mm && station.z_mm <= to_mm) skin.values[i] = value;
     }
-}
-
-double volumeOf(const Scan& mesh)
-{
-    double sum = 0;
-    for (const auto& t : mesh.triangles)
-        sum += mesh.points_mm[t[0]].dot(mesh.points_mm[t[1]].cross(mesh.points_mm[t[2]])) / 6;
-    return sum;
 }
 
 /// Every edge between two places occurs once in each direction.

@@ -290,6 +290,7 @@ TEST(Deflection, ACorrectionIsNotSurerThanItsPrediction)
     // Without a band: how far the error grows on the other machines.
     result.residual.max_um = 0.5;
     EXPECT_FALSE(answer(result, 8.0, nullptr).expanded_uncertainty);
+    EXPECT_EQ(answer(result, 8.0, nullptr).verdict, Verdict::Undecided);  // nothing is known of it
     result.robustness.emplace_back().max_after_um = 10.5;
     EXPECT_EQ(answer(result, 8.0, nullptr).expanded_uncertainty, 10);
     EXPECT_EQ(answer(result, 8.0, nullptr).verdict, Verdict::Undecided);

@@ -12,6 +12,7 @@
 #include "engine/shaft/shaft_contour.h"
 #include "engine/shaft/shaft_rules.h"
 #include "made_recognition.h"
+#include "tests/mesh_volume.h"
 
 namespace lathelier::features {
 namespace {
@@ -22,14 +23,6 @@ Shaft shaftOf(const Table& table)
     for (const TableRow& row : table)
         shaft.segments.push_back({row.length_mm, row.start_mm, row.end_mm, 0, row.arc_mm, {}});
     return shaft;
-}
-
-double volumeOf(const Scan& mesh)
-{
-    double sum = 0;
-    for (const auto& t : mesh.triangles)
-        sum += mesh.points_mm[t[0]].dot(mesh.points_mm[t[1]].cross(mesh.points_mm[t[2]])) / 6;
-    return sum;
 }
 
 /// Every edge belongs to two triangles, which run along it in opposite senses.

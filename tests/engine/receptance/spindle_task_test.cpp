@@ -63,6 +63,12 @@ TEST_F(SpindleTask, SaysWhatEachResponseLeaves)
     EXPECT_FALSE(all.verdict);
     EXPECT_TRUE(json["verdict"].is_null());
     EXPECT_TRUE(json["remedy"].is_null());
+    // Without a limit the answer is the stiffness that the machine was made with.
+    const report::Answer answer = all.answer({});
+    const double made_N_um = 1 / (1000 * std::abs(softMachine()(75)(0, 0)));  // in the middle of the lowest tenth
+    ASSERT_TRUE(answer.value && answer.expanded_uncertainty);
+    EXPECT_NEAR(*answer.value, made_N_um, *answer.expanded_uncertainty);
+    EXPECT_NEAR(*answer.expanded_uncertainty / *answer.value, 0.02, 0.01);  // noise of 1 %, k = 2
     EXPECT_EQ(json["noise_from"], "scatter");
     EXPECT_NEAR(json["chi2_per_dof"].get<double>(), 1, 0.3);
     EXPECT_NEAR(json["expected_rms_percent"].get<double>(), json["residual_rms_percent"].get<double>(), 0.3);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "engine/io/file.h"
 #include "engine/stability/modes.h"
 #include "engine/task/stores.h"
@@ -38,6 +40,34 @@ TEST(LobesTask, AnotherUnitOfTheFileIsAnotherLimit)
     EXPECT_NEAR(leastDepth_mm(state, stores), expected_mm, 1e-3 * expected_mm);
     set(state.inputs[frfRole].import, "frf_unit", std::string("m/N"));
     EXPECT_NEAR(leastDepth_mm(state, stores), expected_mm / 1000, 1e-6 * expected_mm);
+}
+
+/// The answer is the depth that is stable; the one that was asked is its limit.
+TEST(LobesTask, AnswersWithTheStableDepth)
+{
+    const ScratchFolder folder;
+    const std::string path = (folder / "response.csv").string();
+    std::ostringstream text;
+    text << "frequency_hz,real,imag\n";
+    for (double f = 100; f <= 400; f += 0.5) {
+        const std::complex<double> g = receptanceOf(paperA, f);
+        text << f << ',' << g.real() << ',' << g.imag() << '\n';
+    }
+    io::writeFile(path, text.str());
+    project::PanelState state;
+    state.parameters = {
+        {"cutting_coefficient_N_mm2", coefficient_N_mm2}, {"operating_speed_rpm", 2885.0}, {"operating_depth", 0.6}};
+    state.inputs[frfRole].path = path;
+    set(state.inputs[frfRole].import, "frf_unit", std::string("mm/N"));
+    Stores stores;
+    task::Sources sources;
+    const LobesOutcome outcome = answerLobes(state, stores, sources, {});
+    const report::Answer told = answer(outcome);
+    EXPECT_EQ(told.verdict, Verdict::Fail);
+    EXPECT_EQ(told.lower_limit, 0.6);
+    ASSERT_TRUE(told.value);
+    EXPECT_LT(*told.value, 0.6);
+    EXPECT_NEAR(*told.value, pointStabilityAt(*outcome.lobes, 2885, 0.6).limit_mm, 1e-3);
 }
 
 }  // namespace

@@ -62,6 +62,9 @@ private slots:
         QVERIFY(std::abs(frame(2).width() - frame(1).width()) <= 1);
         QVERIFY(frame(0).width() < frame(1).width());
         QVERIFY(labels_[0]->isVisible());
+        views_->setAvailable("part", false);  // nothing is left for the strip
+        QCOMPARE(frame(1).right(), views_->width() - 1);
+        views_->setAvailable("part", true);
         views_->resize(500, 800);
         QVERIFY(labels_[2]->isVisible() && labels_[1]->isVisible() && !labels_[0]->isVisible());
         QVERIFY(frame(2).bottom() < frame(1).top());

@@ -224,12 +224,12 @@ void PrimaryViews::arrange()
     int strip =
         std::clamp(static_cast<int>(stripShare * room.width()), leastStrip_chars * chars, mostStrip_chars * chars);
     const int count = static_cast<int>(all.size()) - (isPair() ? 2 : 1);
+    if (count == 0) return placeLarge(room);
     const auto heightIn = [&](int rows) { return (room.height() - frameGap_px * (rows - 1)) / rows; };
     // Charts that would be too flat are placed in two columns.
     const int columns = heightIn(count) < flattest * strip ? 2 : 1;
     if (columns == 2) strip = static_cast<int>(twoColumns * strip);
-    placeLarge(QRect(0, room.top(), room.width() - (count > 0 ? strip + frameGap_px : 0), room.height()));
-    if (count == 0) return;
+    placeLarge(QRect(0, room.top(), room.width() - strip - frameGap_px, room.height()));
     const int width = (strip - frameGap_px * (columns - 1)) / columns;
     const int most = static_cast<int>(smallAspect * width) + primary_->captionHeight();
     const int each = std::min(most, heightIn((count + columns - 1) / columns));

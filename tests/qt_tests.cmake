@@ -27,7 +27,7 @@ foreach(source ${widget_tests})
     get_filename_component(folder ${source} DIRECTORY)
     if(folder STREQUAL app)
         set(screen offscreen)
-        if(name STREQUAL chrome_test)  # all panels, those with a scene among them
+        if(name MATCHES "^(chrome|hero_looks)_test$")  # all panels, those with a scene among them
             set(screen screen)
         endif()
         add_widget_test(window_${name} ${source} ${screen} window cli)

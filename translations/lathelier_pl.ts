@@ -11304,16 +11304,8 @@
         <translation>Dokumentacja skopiowanej części</translation>
     </message>
     <message>
-        <source>Confirmed</source>
-        <translation>Potwierdzono</translation>
-    </message>
-    <message>
         <source>What</source>
         <translation>Co</translation>
-    </message>
-    <message>
-        <source>By</source>
-        <translation>Przez</translation>
     </message>
     <message>
         <source>Where every number stands</source>
@@ -11922,22 +11914,6 @@
     <message>
         <source>One surface in both</source>
         <translation>Jedna powierzchnia w obu</translation>
-    </message>
-    <message>
-        <source>ν = {nu} waves between neighbouring tracks (ε {phase}°), {relative} times as strong as the feed marks. Diameter, scale and speed give the frequency.</source>
-        <translation>ν = {nu} fal między sąsiednimi śladami przejścia (ε {phase}°), {relative} razy silniejsze niż ślady posuwu. Średnica, skala i prędkość dają częstotliwość.</translation>
-    </message>
-    <message>
-        <source>m = {m}, ε {phase}° at {rpm} rpm: forced or regenerative? A whole number of waves speaks for stock, jaws, bearings or gears.</source>
-        <translation>m = {m}, ε {phase}° przy {rpm} obr/min: wymuszone czy regeneracyjne? Całkowita liczba fal wskazuje na półfabrykat, szczęki, łożyska lub koła zębate.</translation>
-    </message>
-    <message>
-        <source>m = {m}, ε {phase}° at {rpm} rpm, {relative} times as strong as the feed marks.</source>
-        <translation>m = {m}, ε {phase}° przy {rpm} obr/min, {relative} razy silniejsze niż ślady posuwu.</translation>
-    </message>
-    <message>
-        <source>m = {m}, ε {phase}° at {rpm} rpm. The picture leaves open: {others} Hz.</source>
-        <translation>m = {m}, ε {phase}° przy {rpm} obr/min. Obraz nie wyklucza także: {others} Hz.</translation>
     </message>
     <message>
         <source>Picture as evaluated</source>
@@ -16291,6 +16267,110 @@
         <source>{speed} 1/min · {frequency} Hz · no lobe limits here</source>
         <translation>{speed} obr/min · {frequency} Hz · żaden worek tu nie ogranicza</translation>
     </message>
+    <message>
+        <source>What it says</source>
+        <translation>Co mówi</translation>
+    </message>
+    <message>
+        <source>{step} · {state}</source>
+        <translation>{step} · {state}</translation>
+    </message>
+    <message>
+        <source>Annex</source>
+        <translation>Załącznik</translation>
+    </message>
+    <message>
+        <source>Notes, numbers and files</source>
+        <translation>Uwagi, liczby i pliki</translation>
+    </message>
+    <message>
+        <source>From the worn part to its copy</source>
+        <translation>Od zużytej części do jej kopii</translation>
+    </message>
+    <message>
+        <source>Open points</source>
+        <translation>Punkty otwarte</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Uwagi</translation>
+    </message>
+    <message>
+        <source>✗ a step is out</source>
+        <translation>✗ krok poza tolerancją</translation>
+    </message>
+    <message>
+        <source>? a step is undecided</source>
+        <translation>? krok nierozstrzygnięty</translation>
+    </message>
+    <message>
+        <source>{step}: out of tolerance as programmed, and corrected</source>
+        <translation>{step}: według programu poza tolerancją, skorygowano</translation>
+    </message>
+    <message>
+        <source>{phase}° of a wave from one turn to the next; {relative} times as strong as the feed marks. Diameter, scale and speed give the frequency.</source>
+        <translation>{phase}° fali między kolejnymi obrotami; {relative} razy silniejsze niż ślady posuwu. Średnica, skala i prędkość dają częstotliwość.</translation>
+    </message>
+    <message>
+        <source>{waves} waves in a turn at {rpm} rpm: forced or regenerative? A whole number of waves speaks for stock, jaws, bearings or gears.</source>
+        <translation>{waves} fal na obrót przy {rpm} obr/min: wymuszone czy regeneracyjne? Całkowita liczba fal wskazuje na półfabrykat, szczęki, łożyska lub koła zębate.</translation>
+    </message>
+    <message>
+        <source>{waves} waves in a turn at {rpm} rpm, {relative} times as strong as the feed marks.</source>
+        <translation>{waves} fal na obrót przy {rpm} obr/min, {relative} razy silniejsze niż ślady posuwu.</translation>
+    </message>
+    <message>
+        <source>{waves} waves in a turn at {rpm} rpm. The picture leaves open: {others} Hz.</source>
+        <translation>{waves} fal na obrót przy {rpm} obr/min. Obraz nie wyklucza także: {others} Hz.</translation>
+    </message>
+    <message>
+        <source>Error motion allowed</source>
+        <translation>Dopuszczalny błąd ruchu</translation>
+    </message>
+    <message>
+        <source>Limit of the total error motion of the workpiece axis (ISO 230-7), probe X3.</source>
+        <translation>Granica całkowitego błędu ruchu osi przedmiotu (ISO 230-7), czujnik X3.</translation>
+    </message>
+    <message>
+        <source>U of the synchronous error motion (k = 2)</source>
+        <translation>U synchronicznego błędu ruchu (k = 2)</translation>
+    </message>
+    <message>
+        <source>U of the total error motion (k = 2)</source>
+        <translation>U całkowitego błędu ruchu (k = 2)</translation>
+    </message>
+    <message>
+        <source>Motion that repeats with every turn</source>
+        <translation>Ruch powtarzający się co obrót</translation>
+    </message>
+    <message>
+        <source>Only averages of {turns} turns are known · probe X3</source>
+        <translation>Znane są tylko średnie z {turns} obrotów · czujnik X3</translation>
+    </message>
+    <message>
+        <source>Deflection per force</source>
+        <translation>Ugięcie na jednostkę siły</translation>
+    </message>
+    <message>
+        <source>The annexes are in the folder of the chain; all notes, numbers and files with their digests are in {file}.</source>
+        <translation>Załączniki są w folderze łańcucha; wszystkie uwagi, liczby i pliki ze skrótami są w {file}.</translation>
+    </message>
+    <message>
+        <source>Predicted and measured: |E_n| {error:2}, at most 1 is agreement</source>
+        <translation>Przewidziane i zmierzone: |E_n| {error:2}, zgodność to najwyżej 1</translation>
+    </message>
+    <message>
+        <source>Confirmed by a person who is not named: {file}.</source>
+        <translation>Zatwierdziła osoba bez podanego nazwiska: {file}.</translation>
+    </message>
+    <message>
+        <source>Confirmed by {by}: {file}.</source>
+        <translation>Zatwierdził(a) {by}: {file}.</translation>
+    </message>
+    <message>
+        <source>dossier.json, which names all files: SHA-256 {sha256}.</source>
+        <translation>dossier.json, który wymienia wszystkie pliki: SHA-256 {sha256}.</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>
@@ -18528,6 +18608,26 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Double click: work at this speed</source>
         <translation>Dwukrotne kliknięcie: pracuj z tą prędkością</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Przedmiot</translation>
+    </message>
+    <message>
+        <source>Chatter at %1 under a force at z %2; the amplitude is drawn large</source>
+        <translation>Drgania samowzbudne przy %1 pod siłą w z %2; amplituda narysowana w powiększeniu</translation>
+    </message>
+    <message>
+        <source>How the work swings</source>
+        <translation>Jak drga przedmiot</translation>
+    </message>
+    <message>
+        <source>Swing</source>
+        <translation>Drgania</translation>
+    </message>
+    <message>
+        <source>Let the work swing as it chatters</source>
+        <translation>Pokaż, jak przedmiot drga samowzbudnie</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <QUrl>
@@ -229,6 +230,7 @@ void MainWindow::setPresenting(bool presenting)
     presenting_ = presenting;
     if (presenting) {
         stateBeforePresenting_ = saveState();
+        sizeBeforePresenting_ = size();
         wasFullScreen_ = isFullScreen();
     }
     if (isVisible() && !wasFullScreen_) setWindowState(windowState() ^ Qt::WindowFullScreen);
@@ -244,7 +246,13 @@ void MainWindow::setPresenting(bool presenting)
     menuBar()->setVisible(!presenting);
     bar_->setVisible(!presenting);
     statusBar()->setVisible(!presenting);
-    if (!presenting) restoreState(stateBeforePresenting_);
+    if (!presenting) {
+        restoreState(stateBeforePresenting_);
+        // What comes back still asks for the room of the large type until its fonts are applied.
+        QTimer::singleShot(0, this, [this] {
+            if (!presenting_ && !isMaximized()) resize(sizeBeforePresenting_);
+        });
+    }
     layouts_->ensureSeen(activeDock());
     action("presenter")->setChecked(presenting);
     PanelBase* const shown = activeDock() ? activeDock()->madePanel() : nullptr;

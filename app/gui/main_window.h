@@ -124,6 +124,7 @@ private:
     bool presenting_ = false;
     bool wasFullScreen_ = false;
     QByteArray stateBeforePresenting_;
+    QSize sizeBeforePresenting_;
     QFont ordinaryFont_;
 };
 

@@ -294,9 +294,16 @@ void ChainSteps::prove()
             Json found = proofJson(proof.predicted, proof.places, proof.along);
             MadeStep made;
             const Json& largest = found["largest_normalized_error"];
-            if (largest.is_number() && std::abs(largest.get<double>()) > 1)
-                made.notes.push_back({notes::predictionDisagrees, {{"normalized_error", largest.get<double>()}}});
-            made.sections = {{LT_TEXT("Engine", "Predicted and measured"), {proofPlot(proof), proofTable(proof)}}};
+            if (largest.is_number()) {
+                const double error = std::abs(largest.get<double>());
+                made.verdict = error > 1 ? Verdict::Fail : Verdict::Pass;
+                if (error > 1)
+                    made.notes.push_back({notes::predictionDisagrees, {{"normalized_error", largest.get<double>()}}});
+            }
+            made.sections = {{LT_TEXT("Engine", "Predicted and measured"), {}}};
+            if (!proof.places.empty()) made.sections.front().blocks.emplace_back(proofAnswer(proof, {}));
+            made.sections.front().blocks.emplace_back(proofPlot(proof));
+            made.sections.front().blocks.emplace_back(proofTable(proof));
             made.result = std::make_shared<const Json>(std::move(found));
             return made;
         },

@@ -241,6 +241,26 @@ std::optional<Verdict> Dossier::settledVerdict() const
     return verdict;
 }
 
+bool Dossier::isCorrected(const ChainStep& step) const
+{
+    const ChainStep* const check = this->step("corrected_check");
+    return step.id.starts_with("deflection") && check && check->state == StepState::Done &&
+           std::any_of(step.outputs.begin(), step.outputs.end(),
+                       [](const InputFile& file) { return file.path.starts_with("program_corrected"); });
+}
+
+std::optional<Verdict> Dossier::coverVerdict() const
+{
+    std::optional<Verdict> worst = settledVerdict();
+    for (const ChainStep& step : steps) {
+        const StepStanding standing = standingOf(step);
+        std::optional<Verdict> found = standing.isSound() || isCorrected(step) ? std::nullopt : standing.verdict;
+        if (step.state == StepState::Failed) found = Verdict::Fail;
+        if (found) worst = worst ? worse(*worst, *found) : *found;
+    }
+    return worst;
+}
+
 Json understandingOf(const Dossier& dossier)
 {
     Json whole = lathelier::toJson(Understanding{});
@@ -288,10 +308,14 @@ Json toJson(const Dossier& dossier)
     for (const Confirmation& word : dossier.confirmed)
         confirmed.push_back(
             {{"what", word.what}, {"file", word.file}, {"by", word.by.empty() ? Json(nullptr) : Json(word.by)}});
-    const std::optional<Verdict> verdict = dossier.settledVerdict();
-    return {{"schema", dossierSchema}, {"verdict", verdict ? Json(key(*verdict)) : Json(nullptr)},
-            {"steps", steps},          {"numbers", numbers},
-            {"assumed", assumed},      {"confirmed", confirmed}};
+    const auto word = [](const std::optional<Verdict>& verdict) { return verdict ? Json(key(*verdict)) : Json(); };
+    return {{"schema", dossierSchema},
+            {"verdict", word(dossier.settledVerdict())},
+            {"cover_verdict", word(dossier.coverVerdict())},
+            {"steps", steps},
+            {"numbers", numbers},
+            {"assumed", assumed},
+            {"confirmed", confirmed}};
 }
 
 Json wholeDossier(const Dossier& dossier, const std::vector<InputFile>& inputs, const Values& parameters)

@@ -82,7 +82,11 @@ struct Dossier {
     const ChainStep* step(const std::string& id) const;  ///< null: not found
     std::optional<Error> error() const;                  ///< of the failed step
     std::optional<Verdict> settledVerdict() const;       ///< undecided where a step did not understand what counts
-    std::vector<report::Section> sections() const;       ///< of the reports of all steps
+    bool isCorrected(const ChainStep& step) const;  ///< out of tolerance as programmed, and a correction was written
+    /// The worst of the copy's verdict and those of the steps, a failed step among them; no step that is sound gives
+    /// one to a chain without a copy.
+    std::optional<Verdict> coverVerdict() const;
+    std::vector<report::Section> sections() const;  ///< of the reports of all steps
 };
 
 inline constexpr const char* dossierSchema = "lathelier-dossier";
@@ -92,7 +96,8 @@ inline constexpr const char* dossierFile = "dossier.json";  ///< in the folder o
 /// Adds a step: its notes, and if it is done, the numbers of its result.
 void add(Dossier& dossier, ChainStep step, const Json& result);
 
-/// `schema`, `verdict`, `steps`, `numbers`, `assumed` (notes on assumed values), `confirmed`.
+/// `schema`, `verdict` (of the copy), `cover_verdict`, `steps`, `numbers`, `assumed` (notes on assumed values),
+/// `confirmed`.
 Json toJson(const Dossier& dossier);
 
 /// {`not_modelled`, `assumed`} of all steps, each entry with `step`.

@@ -1,6 +1,7 @@
 #include "engine/chain/dossier_report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/core/texts.h"
 #include "engine/core/units.h"
@@ -60,14 +61,6 @@ Text unitOf(const std::string& key)
     for (const auto& [ending, unit] : units)
         if (key.ends_with(ending)) return unit;
     return {};
-}
-
-/// Remarks of a step of an earlier run.
-report::Section remarksSection(const ChainStep& step)
-{
-    report::Table table{LT_TEXT("Engine", "Taken over from an earlier run"), {LT_TEXT("Engine", "Remark")}, {}, {}};
-    for (const std::string& remark : step.remarks) table.rows.push_back({remark});
-    return {titleOf(step.id), {std::move(table)}};
 }
 
 }  // namespace
@@ -141,20 +134,38 @@ report::Answer answer(const Dossier& dossier)
 {
     report::Answer answer;
     answer.quantity = LT_TEXT("Engine", "Copy of a part");
-    answer.verdict = dossier.settledVerdict();
+    answer.verdict = dossier.coverVerdict();
     addCopy(dossier, answer);
+    if (answer.verdict && answer.verdict != dossier.settledVerdict())
+        answer.verdict_words = *answer.verdict == Verdict::Fail ? LT_TEXT("Engine", "✗ a step is out")
+                                                                : LT_TEXT("Engine", "? a step is undecided");
     answer.sentence = LT_TEXT("Engine", "{done} of {steps} steps done, {missing} missing, {failed} failed.");
     answer.values = {{"done", countOf(dossier, StepState::Done)},
                      {"steps", static_cast<std::int64_t>(dossier.steps.size())},
                      {"missing", countOf(dossier, StepState::Missing)},
                      {"failed", countOf(dossier, StepState::Failed) + countOf(dossier, StepState::NotReached)}};
+    for (const TracedNumber& number : dossier.numbers)
+        if (number.step == "proof" && number.pointer == "/largest_normalized_error")
+            answer.findings.push_back(
+                {LT_TEXT("Engine", "Predicted and measured: |E_n| {error:2}, at most 1 is agreement"),
+                 {{"error", std::abs(number.value)}},
+                 std::abs(number.value) <= 1 ? Verdict::Pass : Verdict::Fail,
+                 {}});
     if (const auto finding = copyFinding(dossier); finding && !finding->verdict) answer.findings.push_back(*finding);
     for (const ChainStep& step : dossier.steps)
-        if (const StepStanding standing = standingOf(step); standing.verdict && !standing.isSound())
+        if (const StepStanding standing = standingOf(step); standing.verdict && !standing.isSound()) {
+            if (dossier.isCorrected(step)) {
+                answer.findings.push_back({LT_TEXT("Engine", "{step}: out of tolerance as programmed, and corrected"),
+                                           {{"step", titleOf(step.id)}},
+                                           std::nullopt,
+                                           {}});
+                continue;
+            }
             answer.findings.push_back({LT_TEXT("Engine", "{step}: {state}"),
                                        {{"step", titleOf(step.id)}, {"state", nameOf(standing)}},
                                        standing.verdict,
                                        {}});
+        }
     for (const ChainStep& step : dossier.steps)
         if (step.state == StepState::Failed && (step.error || !step.remarks.empty()))
             answer.findings.push_back(
@@ -180,30 +191,6 @@ std::optional<report::Finding> copyFinding(const Dossier& dossier)
             LT_TEXT("Engine", "The copy: largest deviation {worst:3} mm; no limit is given, so it is not judged");
     }
     return finding;
-}
-
-report::Document dossierReport(const Dossier& dossier)
-{
-    report::Document document;
-    document.title = LT_TEXT("Engine", "Dossier of a copied part");
-    document.sections.push_back({LT_TEXT("Engine", "Answer"), {answer(dossier), stepsTable(dossier)}});
-    if (!dossier.notes.empty()) document.sections.back().blocks.emplace_back(dossier.notes);
-    if (!dossier.confirmed.empty()) {
-        report::Table words{LT_TEXT("Engine", "Confirmed"),
-                            {LT_TEXT("Engine", "What"), LT_TEXT("Engine", "File"), LT_TEXT("Engine", "By")},
-                            {},
-                            {}};
-        for (const Confirmation& word : dossier.confirmed) words.rows.push_back({word.what, word.file, word.by});
-        document.sections.back().blocks.emplace_back(std::move(words));
-    }
-    for (const ChainStep& step : dossier.steps) {
-        document.sections.insert(document.sections.end(), step.sections.begin(), step.sections.end());
-        if (step.sections.empty() && step.past_notes && !step.remarks.empty())
-            document.sections.push_back(remarksSection(step));
-    }
-    document.sections.push_back({LT_TEXT("Engine", "Where every number stands"), {numbersTable(dossier)}});
-    document.sections.push_back({LT_TEXT("Engine", "Files"), {filesTable(dossier)}});
-    return document;
 }
 
 }  // namespace lathelier::chain

@@ -1,4 +1,4 @@
-// The dossier as a report: steps with their files, numbers with their positions, assumptions, confirmations.
+// Answer and tables of a dossier: steps with their files, numbers with their positions. The report: dossier_cover.h.
 #pragma once
 
 #include <optional>
@@ -20,9 +20,5 @@ std::optional<report::Finding> copyFinding(const Dossier& dossier);
 
 /// Displayed title of a step.
 Text titleOf(const std::string& step);
-
-/// Answer, steps, reports of the steps, numbers, files. For steps reused from an earlier run, their remarks replace the
-/// report.
-report::Document dossierReport(const Dossier& dossier);
 
 }  // namespace lathelier::chain

@@ -44,6 +44,10 @@ struct Proof {
 /// None: not a proof.
 std::optional<Proof> proofFrom(const Json& json);
 
+/// The largest difference against both uncertainties, |E_n| ≤ 1; a copy out of its limit is not a proof, even if it was
+/// predicted well. `copy`: copyFinding(); none: no copy is judged. Precondition: there are places.
+report::Answer proofAnswer(const Proof& proof, const std::optional<report::Finding>& copy);
+
 /// The prediction with its band, the rows with U and the places over it.
 report::Plot proofPlot(const Proof& proof);
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/chain/chain_steps.h"
-#include "engine/chain/dossier_report.h"
+#include "engine/chain/dossier_cover.h"
 #include "engine/io/file.h"
 #include "engine/report/html.h"
 #include "engine/report/result_json.h"
@@ -52,9 +52,9 @@ void writeDossier(const ChainQuestion& question, const Dossier& dossier, const s
 {
     const std::string folder = question.out + "/";
     io::writeFile(folder + dossierFile, report::toText(wholeDossier(dossier, inputs, parameters)));
-    report::Document document = dossierReport(dossier);
-    document.inputs = inputs;
-    io::writeFile(folder + reportFile, report::toHtml(document));
+    io::writeFile(folder + reportFile, report::toHtml(dossierReport(dossier)));
+    for (const Annex& annex : annexesOf(dossier, inputs))
+        io::writeFile(folder + annex.file, report::toHtml(annex.document));
 }
 
 }  // namespace lathelier::chain

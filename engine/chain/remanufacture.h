@@ -24,7 +24,8 @@ inline constexpr const char* stepIds[] = {"recognise", "draw",       "machine", 
 Dossier remanufacture(const ChainQuestion& question, RunMode mode, std::shared_ptr<const Dossier> earlier,
                       io::InputFiles& inputs, const Progress& progress = {});
 
-/// Writes dossier.json and report.html into the folder of the question. `inputs` and `parameters` go into its head.
+/// Writes dossier.json, report.html and its annexes into the folder of the question. `inputs` and `parameters` go into
+/// its head.
 void writeDossier(const ChainQuestion& question, const Dossier& dossier, const std::vector<InputFile>& inputs,
                   const Values& parameters);
 

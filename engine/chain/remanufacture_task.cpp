@@ -5,6 +5,7 @@
 
 #include "engine/cad/task/recognize_task.h"
 #include "engine/cam/job_file.h"
+#include "engine/chain/dossier_cover.h"
 #include "engine/chain/dossier_kind.h"
 #include "engine/chain/dossier_read.h"
 #include "engine/chain/dossier_report.h"
@@ -77,7 +78,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const Dossier>& dossier)
     all.json = [dossier] { return toJson(*dossier); };
     all.answer = [dossier](const Language&) { return answer(*dossier); };
     all.summary = [dossier](const Language&) { return report::Section{{}, {answer(*dossier), stepsTable(*dossier)}}; };
-    all.report = [dossier](const Language&) { return dossierReport(*dossier); };
+    all.report = [dossier](const Language& language) { return dossierReport(*dossier, language); };
     Understanding understanding = lathelier::understandingOf(all.notes);
     addAssumedEarlier(*dossier, understanding);
     return settled(remanufactureTask(), std::move(all), understanding);

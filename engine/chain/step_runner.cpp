@@ -257,6 +257,7 @@ Json StepRunner::make(const std::string& id, const std::vector<std::string>& inp
     step.outputs = {madeFile(step.result, progress)};
     step.notes = std::move(made.notes);
     step.sections = std::move(made.sections);
+    step.verdict = made.verdict;
     step.state = StepState::Done;
     finish(std::move(step), *made.result);
     return *made.result;

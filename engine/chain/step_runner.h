@@ -37,6 +37,7 @@ struct MadeStep {
     std::shared_ptr<const Json> result;  ///< never null
     Notes notes;
     std::vector<report::Section> sections;
+    std::optional<Verdict> verdict = {};  ///< none: nothing to judge
 };
 
 class StepRunner {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/interpolate.h"
 #include "engine/core/units.h"
 
 namespace lathelier::deflection {
@@ -11,17 +12,6 @@ namespace {
 constexpr int angles = 96;
 constexpr double stationsOverLength = 300;
 constexpr double shownShare = 1.0 / 3;  // of the largest radius
-
-/// Linear between the places; beyond them the nearest.
-double valueAt(const std::vector<double>& z_mm, const std::vector<double>& values, double z)
-{
-    const auto after = std::upper_bound(z_mm.begin(), z_mm.end(), z);
-    if (after == z_mm.begin()) return values.front();
-    if (after == z_mm.end()) return values.back();
-    const auto i = static_cast<std::size_t>(after - z_mm.begin());
-    const double share = (z - z_mm[i - 1]) / (z_mm[i] - z_mm[i - 1]);
-    return values[i - 1] + share * (values[i] - values[i - 1]);
-}
 
 /// NaN before the first place, beyond the last, and in a gap.
 double errorAt_um(const FinalContour& error, double z)
@@ -33,7 +23,7 @@ double errorAt_um(const FinalContour& error, double z)
         static_cast<std::size_t>(std::upper_bound(error.z_mm.begin(), error.z_mm.end(), z) - error.z_mm.begin());
     const bool is_gap =
         std::binary_search(error.gaps.begin(), error.gaps.end(), after) && z > error.z_mm[after - 1] + margin_mm;
-    return is_gap ? notANumber : valueAt(error.z_mm, error.diameter_error_um, z);
+    return is_gap ? notANumber : linearAt(error.z_mm, error.diameter_error_um, z);
 }
 
 }  // namespace
@@ -60,8 +50,8 @@ Skin bentSkin(const WorkPlan& plan, const DeflectedShape& shape, const FinalCont
     skin.shift_mm.reserve(skin.vertexCount());
     for (const SkinStation& station : skin.stations) {
         const auto value = static_cast<float>(station.isFace() ? notANumber : errorAt_um(error, station.z_mm));
-        const Eigen::Vector3d shift(valueAt(shape.z_mm, shape.x_um, station.z_mm) / um_per_mm,
-                                    valueAt(shape.z_mm, shape.y_um, station.z_mm) / um_per_mm, 0);
+        const Eigen::Vector3d shift(linearAt(shape.z_mm, shape.x_um, station.z_mm) / um_per_mm,
+                                    linearAt(shape.z_mm, shape.y_um, station.z_mm) / um_per_mm, 0);
         skin.values.insert(skin.values.end(), angles, value);
         skin.shift_mm.insert(skin.shift_mm.end(), angles, shift.cast<float>());
     }

@@ -326,7 +326,7 @@ report::Document compareReport(const CompareResult& result, const std::vector<In
     report::Section summary = compareSummary(result, language);
     // The picture under the answer.
     if (!pictures.empty()) {
-        pictures.front().is_wide = true;
+        pictures.front().width = report::Picture::Width::Page;
         summary.blocks.insert(summary.blocks.begin() + 1, std::move(pictures.front()));
         pictures.erase(pictures.begin());
     } else if (result.meridian) {

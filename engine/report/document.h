@@ -57,9 +57,14 @@ struct Paragraph {
 
 /// An image, such as a 3-D view.
 struct Picture {
+    enum class Width { Own, Half, Page };  ///< Own: an SVG takes the width of the page, a PNG half of it
+
     Caption title;
-    std::string png;       ///< content of the file; or an SVG, which begins with "<svg" and takes the width of the page
-    bool is_wide = false;  ///< takes the width of the page; else two stand side by side
+    std::string png;  ///< content of the file; or an SVG, which begins with "<svg"
+    Width width = Width::Own;
+
+    bool isSvg() const { return png.starts_with("<svg"); }
+    bool isHalf() const { return width == Width::Half || (width == Width::Own && !isSvg()); }  ///< two side by side
 };
 
 using Block = std::variant<Answer, Paragraph, QuantityTable, Table, Plot, PolarPlot, ColourMap, Picture, Notes>;

@@ -102,8 +102,7 @@ public:
     std::string operator()(const Picture& picture) const
     {
         const std::string title = caption(picture.title);
-        if (picture.png.starts_with("<svg"))
-            return element("figure", picture.png + "<figcaption>" + title + "</figcaption>");
+        if (picture.isSvg()) return element("figure", picture.png + "<figcaption>" + title + "</figcaption>");
         return element("figure", "<img alt=\"" + title + "\" src=\"data:image/png;base64," + base64(picture.png) +
                                      "\"><figcaption>" + title + "</figcaption>");
     }
@@ -124,10 +123,8 @@ public:
         std::string result;
         bool grid = false;
         for (const Block& block : all) {
-            const bool narrow =
-                std::holds_alternative<QuantityTable>(block) ||
-                (std::holds_alternative<Picture>(block) && !std::get<Picture>(block).png.starts_with("<svg") &&
-                 !std::get<Picture>(block).is_wide);
+            const auto* const picture = std::get_if<Picture>(&block);
+            const bool narrow = std::holds_alternative<QuantityTable>(block) || (picture && picture->isHalf());
             if (narrow != grid) result += narrow ? "<div class=\"grid\">\n" : "</div>\n";
             grid = narrow;
             result += std::visit(*this, block);

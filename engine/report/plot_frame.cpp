@@ -16,7 +16,7 @@ void drawFrame(Svg& svg, const PlotFrame& frame, const FrameWords& words, const 
     if (!words.remark.empty())
         svg.text(frame.left + boldFactor * textWidth(words.title, titleSize) + titleSize, 20, Svg::Anchor::Start,
                  textSize, words.remark);
-    const Ticks xTicks = axisTicks(frame.x_scale, frame.x, 10, frame.x_factor);
+    const Ticks xTicks = axisTicks(frame.x_scale, frame.x, frame.x_ticks, frame.x_factor);
     for (const double value : xTicks.values) {
         const double x = frame.toX(value);
         if (grid) svg.line(x, frame.top, x, frame.bottom, gridColour);

@@ -33,6 +33,7 @@ struct PlotFrame {
     Axis::Scale y_scale = Axis::Scale::Linear;
     double x_factor = 1;  ///< tick label = value × factor
     double y_factor = 1;  ///< tick label = value × factor
+    int x_ticks = 10;     ///< about so many
 
     double toX(double value) const { return left + share(x_scale, x, value) * (right - left); }
     double toY(double value) const { return bottom - share(y_scale, y, value) * (bottom - top); }

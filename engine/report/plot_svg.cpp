@@ -12,6 +12,10 @@ namespace lathelier::report {
 namespace {
 
 constexpr double plotHeight = 330;
+constexpr double halfSheetWidth = 520;
+constexpr double halfSheetHeight = 280;
+constexpr double halfMargin = 16;
+constexpr int halfTicks = 6;
 constexpr std::string_view limitDashes = "6 4";
 constexpr std::string_view curveDashes = "7 4";
 constexpr double bandOpacity = 0.3;
@@ -27,10 +31,14 @@ std::string limitColour()
     return hex(colourOf(ColourRole::Limit));
 }
 
-PlotFrame frameOf(const Plot& plot, const Language& language)
+PlotFrame frameOf(const Plot& plot, const Language& language, Sheet sheet)
 {
     PlotFrame frame;
-    frame.bottom = plotHeight - frameBottomRoom;
+    if (sheet == Sheet::Half) {
+        frame.right = halfSheetWidth - halfMargin;
+        frame.x_ticks = halfTicks;
+    }
+    frame.bottom = (sheet == Sheet::Half ? halfSheetHeight : plotHeight) - frameBottomRoom;
     frame.x = shownX(plot);
     frame.y = shownY(plot);
     frame.x_scale = plot.x.scale;
@@ -147,10 +155,12 @@ class PlotLegend {
 public:
     PlotLegend(Svg& svg, const PlotFrame& frame) : svg_(svg), right_(frame.right), y_(frame.top - 13) {}
 
+    static double widthOf(const std::string& name) { return textWidth(name, tickSize) + sampleWidth + 26; }
+
     /// Reserves space for `name`, draws it and returns the start of its sample line.
     double place(const std::string& name)
     {
-        const double start = right_ - textWidth(name, tickSize) - sampleWidth - 6;
+        const double start = right_ - widthOf(name) + 20;
         svg_.text(start + sampleWidth + 6, y_ + 4, Svg::Anchor::Start, tickSize, name);
         right_ = start - 20;
         return start;
@@ -180,9 +190,17 @@ private:
     double y_;
 };
 
-void drawPlotLegend(Svg& svg, const PlotFrame& frame, const Plot& plot, const Language& language)
+/// On a half sheet left out where the names do not fit beside each other.
+void drawPlotLegend(Svg& svg, const PlotFrame& frame, const Plot& plot, const Language& language, Sheet sheet)
 {
     PlotLegend legend(svg, frame);
+    double needed_px = 0;
+    const auto count = [&](const Caption& caption) {
+        if (const std::string name = captionText(caption, language); !name.empty()) needed_px += legend.widthOf(name);
+    };
+    for (const Region& region : plot.regions) count(region.name);
+    for (const Curve& curve : plot.curves) count(curve.name);
+    if (sheet == Sheet::Half && needed_px > frame.right) return;
     for (std::size_t i = plot.regions.size(); i-- > 0;) {
         const std::string name = captionText(plot.regions[i].name, language);
         if (!name.empty()) legend.addArea(name, hex(colourOf(plot.regions[i].colour, i)), regionOpacity);
@@ -203,13 +221,15 @@ void drawPlotLegend(Svg& svg, const PlotFrame& frame, const Plot& plot, const La
 
 }  // namespace
 
-std::string toSvg(const Plot& plot, const Language& language)
+std::string toSvg(const Plot& plot, const Language& language, Sheet sheet)
 {
     const auto words = [&](const Caption& caption) { return captionText(caption, language); };
-    const FrameWords titles{words(plot.title), words(plot.remark), axisLabel(plot.x, language),
-                            axisLabel(plot.y, language)};
-    Svg svg(sheetWidth, plotHeight, titles.title);
-    const PlotFrame frame = frameOf(plot, language);
+    const bool is_half = sheet == Sheet::Half;
+    const std::string title = words(plot.title);
+    const FrameWords titles{is_half ? std::string() : title, is_half ? std::string() : words(plot.remark),
+                            axisLabel(plot.x, language), axisLabel(plot.y, language)};
+    Svg svg(is_half ? halfSheetWidth : sheetWidth, is_half ? halfSheetHeight : plotHeight, title);
+    const PlotFrame frame = frameOf(plot, language, sheet);
     if (plot.ground && isDrawable(*plot.ground)) drawGround(svg, frame, *plot.ground);
     for (std::size_t i = 0; i < plot.regions.size(); ++i) {
         const std::string data = regionPath(frame, plot.regions[i]);
@@ -233,7 +253,7 @@ std::string toSvg(const Plot& plot, const Language& language)
     }
     for (const Handle& handle : plot.handles) drawHandle(svg, frame, handle, words(handle.name), names);
     drawOutline(svg, frame);
-    drawPlotLegend(svg, frame, plot, language);
+    drawPlotLegend(svg, frame, plot, language, sheet);
     return svg.finish();
 }
 

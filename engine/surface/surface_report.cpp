@@ -26,15 +26,15 @@ void addChatter(report::Answer& answer, const ImageMarks& image, const Language&
                      {"relative", fixed(chatter.relative_to_feed, 2, language)}};
     if (!chatter.frequency_hz) {
         answer.sentence = LT_TEXT("Engine",
-                                  "ν = {nu} waves between neighbouring tracks (ε {phase}°), {relative} times as "
-                                  "strong as the feed marks. Diameter, scale and speed give the frequency.");
+                                  "{phase}° of a wave from one turn to the next; {relative} times as strong as "
+                                  "the feed marks. Diameter, scale and speed give the frequency.");
         return;
     }
     answer.value = chatter.frequency_hz;
     answer.expanded_uncertainty = 2 * *chatter.frequency_uncertainty_hz;
     answer.unit = unit::hz;
     answer.decimals = 1;
-    answer.values.emplace_back("m", std::int64_t{*chatter.m});
+    answer.values.emplace_back("waves", fixed(*chatter.m + chatter.nu, 2, language));
     answer.values.emplace_back("rpm", fixed(*image.speed_rpm, 0, language));
     std::string others;
     for (std::size_t i = 1; i < chatter.candidates_hz.size(); ++i)
@@ -42,13 +42,14 @@ void addChatter(report::Answer& answer, const ImageMarks& image, const Language&
     answer.values.emplace_back("others", others);
     if (chatter.kind == ChatterKind::Forced)
         answer.sentence = LT_TEXT("Engine",
-                                  "m = {m}, ε {phase}° at {rpm} rpm: forced or regenerative? A whole number of "
-                                  "waves speaks for stock, jaws, bearings or gears.");
+                                  "{waves} waves in a turn at {rpm} rpm: forced or regenerative? A whole "
+                                  "number of waves speaks for stock, jaws, bearings or gears.");
     else if (others.empty())
         answer.sentence =
-            LT_TEXT("Engine", "m = {m}, ε {phase}° at {rpm} rpm, {relative} times as strong as the feed marks.");
+            LT_TEXT("Engine", "{waves} waves in a turn at {rpm} rpm, {relative} times as strong as the feed marks.");
     else
-        answer.sentence = LT_TEXT("Engine", "m = {m}, ε {phase}° at {rpm} rpm. The picture leaves open: {others} Hz.");
+        answer.sentence =
+            LT_TEXT("Engine", "{waves} waves in a turn at {rpm} rpm. The picture leaves open: {others} Hz.");
 }
 
 std::vector<report::QuantityTable> tablesOf(const ImageMarks& image)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "engine/core/statistics.h"
 #include "engine/core/units.h"
@@ -43,6 +44,32 @@ double harmonicAt(const Eigen::Vector3d& c, double angle_deg)
     return c[0] + c[1] * std::cos(rad_per_deg * angle_deg) + c[2] * std::sin(rad_per_deg * angle_deg);
 }
 
+constexpr double coverage = 2;         ///< k
+constexpr double fewestForSpread = 3;  ///< revolutions
+
+/// `variance` of the values at each angle over so many revolutions as `counts` says; NaN: not known.
+void addUncertainties(ErrorMotion& motion, const std::vector<double>& variance, const std::vector<double>& counts,
+                      double form_um)
+{
+    double sum = 0, known = 0;
+    std::size_t low = variance.size(), high = low;
+    for (std::size_t i = 0; i < variance.size(); ++i) {
+        if (!std::isfinite(variance[i]) || counts[i] < fewestForSpread) continue;
+        sum += variance[i];
+        ++known;
+        const std::vector<double>& curve = motion.synchronous_curve_um;
+        if (low == variance.size() || curve[i] < curve[low]) low = i;
+        if (high == variance.size() || curve[i] > curve[high]) high = i;
+    }
+    if (known == 0) return;
+    const double of_means = variance[low] / counts[low] + variance[high] / counts[high];
+    motion.synchronous_expanded_uncertainty_um = std::hypot(coverage * std::sqrt(of_means), form_um);
+    const double revolutions = *std::max_element(counts.begin(), counts.end());
+    const double of_extreme = std::numbers::pi / std::sqrt(6.0) / std::sqrt(2 * std::log(revolutions));
+    motion.total_expanded_uncertainty_um =
+        std::hypot(coverage * std::numbers::sqrt2 * of_extreme * std::sqrt(sum / known), form_um);
+}
+
 }  // namespace
 
 ProbeStatistics statisticsOf(const SectionSignals& signals, Probe probe)
@@ -80,11 +107,11 @@ ProbeStatistics statisticsOf(const SectionSignals& signals, Probe probe)
     return result;
 }
 
-ErrorMotion errorMotion(std::span<const double> values_um, std::span<const double> angle_deg)
+ErrorMotion errorMotion(std::span<const double> values_um, std::span<const double> angle_deg, double form_um)
 {
     const std::size_t points = angle_deg.size();
     const std::size_t revolutions = points > 0 ? values_um.size() / points : 0;
-    std::vector<double> mean(points, notANumber);
+    std::vector<double> mean(points, notANumber), variance(points, notANumber), counts(points, 0);
     Extent asynchronous;
     asynchronous.low = 0;
     for (std::size_t i = 0; i < points; ++i) {
@@ -100,6 +127,13 @@ ErrorMotion errorMotion(std::span<const double> values_um, std::span<const doubl
         }
         if (count == 0) continue;
         mean[i] = sum / static_cast<double>(count);
+        counts[i] = static_cast<double>(count);
+        double squares = 0;
+        for (std::size_t k = 0; k < revolutions; ++k) {
+            const double away = values_um[k * points + i] - mean[i];
+            if (std::isfinite(away)) squares += away * away;
+        }
+        if (count > 1) variance[i] = squares / (counts[i] - 1);
         asynchronous.add(extent.range());
     }
     ErrorMotion result = errorMotionOfMean(mean, angle_deg);
@@ -111,6 +145,7 @@ ErrorMotion errorMotion(std::span<const double> values_um, std::span<const doubl
         for (std::size_t k = 0; k < revolutions; ++k) total.add(values_um[k * points + i] - removed);
     }
     result.total_um = total.range();
+    addUncertainties(result, variance, counts, form_um);
     return result;
 }
 

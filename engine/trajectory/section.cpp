@@ -159,12 +159,13 @@ TrajectorySection evaluate(const PreparedRecord& prepared, const RecordSegment& 
 
     for (const Probe probe : allProbes) {
         section.probes[index(probe)] = statisticsOf(signals, probe);
-        section.error_motion[index(probe)] = errorMotion(signals.um[index(probe)], section.angle_deg);
+        section.error_motion[index(probe)] = errorMotion(signals.um[index(probe)], section.angle_deg,
+                                                         probe == Probe::X3 || probe == Probe::Y3 ? mandrelForm_um : 0);
     }
     section.spindle = section.error_motion[index(Probe::X3)];
     section.rotating =
         errorMotion(rotatingDirection(signals.um[index(Probe::X3)], signals.um[index(Probe::Y3)], section.angle_deg),
-                    section.angle_deg);
+                    section.angle_deg, mandrelForm_um);
     RevolutionImages images = revolutionImages(signals, section.angle_deg, workpiece_diameter_mm, parameters.rotation,
                                                bandOf(parameters.form));
     section.envelope_min_mm = std::move(images.envelope_min_mm);

@@ -14,6 +14,7 @@
 #include "engine/core/fields.h"
 #include "engine/core/profile.h"
 #include "engine/core/progress.h"
+#include "engine/core/units.h"
 #include "engine/core/used_value.h"
 #include "engine/form/roundness/roundness.h"
 #include "engine/io/probe/probe_reader.h"
@@ -62,11 +63,16 @@ struct ProbeStatistics {
     std::vector<double> mean_um, std_um, min_um, max_um, confidence_um;  ///< for each angle; 95 % of the mean
 };
 
+inline constexpr double mandrelForm_um = 0.2;  ///< two probes cannot separate it from the motion of the axis
+
 /// ISO 230-7 error motion of one probe, fixed sensitive direction, k = 0 and 1 removed from the mean.
 struct ErrorMotion {
-    double synchronous_um = 0;                 ///< synchronous error motion: range of the mean curve
-    double asynchronous_um = 0;                ///< NaN when only averages are known
-    double total_um = 0;                       ///< NaN when only averages are known
+    double synchronous_um = 0;   ///< synchronous error motion: range of the mean curve
+    double asynchronous_um = 0;  ///< NaN when only averages are known
+    double total_um = 0;         ///< NaN when only averages are known
+    /// k = 2, by the spread of the revolutions and the mandrel's form; NaN for fewer than three revolutions.
+    double synchronous_expanded_uncertainty_um = notANumber;
+    double total_expanded_uncertainty_um = notANumber;
     std::vector<double> synchronous_curve_um;  ///< mean curve by angle, k = 0 and 1 removed
 };
 
@@ -121,10 +127,9 @@ struct TrajectoryResult {
     Values cutting;                           ///< cutting data stated in the records: speed, feed, workpiece, tool…
     std::vector<TrajectorySection> sections;  ///< in the order of the records
     std::optional<LongitudinalSection> longitudinal;  ///< with at least 3 sections of known z
-    double mandrel_form_um = 0.2;    ///< lower limit of the uncertainty: two probes cannot separate the mandrel's form
-                                     ///< from its motion
-    std::optional<Verdict> verdict;  ///< of the worst section, with form.tolerance_um
-    Notes notes;                     ///< codes: see trajectory()
+    double mandrel_form_um = mandrelForm_um;          ///< lower limit of the uncertainty
+    std::optional<Verdict> verdict;                   ///< of the worst section, with form.tolerance_um
+    Notes notes;                                      ///< codes: see trajectory()
 
     /// Index of the section with the largest deviation by form.circle; none without sections.
     std::optional<std::size_t> worstSection() const;

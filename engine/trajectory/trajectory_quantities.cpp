@@ -61,7 +61,11 @@ const std::vector<QuantityOf<ErrorMotion>>& quantitiesOf(const ErrorMotion*)
         quantity<M>("synchronous_um", &M::synchronous_um, {LT_TEXT("Engine", "Synchronous error motion"), unit::um, 2}),
         quantity<M>("asynchronous_um", &M::asynchronous_um,
                     {LT_TEXT("Engine", "Asynchronous error motion"), unit::um, 2}),
-        quantity<M>("total_um", &M::total_um, {LT_TEXT("Engine", "Total error motion"), unit::um, 2}));
+        quantity<M>("total_um", &M::total_um, {LT_TEXT("Engine", "Total error motion"), unit::um, 2}),
+        quantity<M>("synchronous_expanded_uncertainty_um", &M::synchronous_expanded_uncertainty_um,
+                    {LT_TEXT("Engine", "U of the synchronous error motion (k = 2)"), unit::um, 2}),
+        quantity<M>("total_expanded_uncertainty_um", &M::total_expanded_uncertainty_um,
+                    {LT_TEXT("Engine", "U of the total error motion (k = 2)"), unit::um, 2}));
     return all;
 }
 

@@ -113,16 +113,30 @@ report::Answer motionAnswer(const TrajectoryResult& result, const TrajectorySect
 {
     report::Answer answer;
     answer.used = result.used;
-    answer.quantity = LT_TEXT("Engine", "Motion of the workpiece axis");
-    answer.value = section.spindle.total_um;
+    const ErrorMotion& motion = section.spindle;
+    const bool has_total = std::isfinite(motion.total_um);
+    answer.quantity = has_total ? LT_TEXT("Engine", "Motion of the workpiece axis")
+                                : LT_TEXT("Engine", "Motion that repeats with every turn");
+    answer.value = has_total ? motion.total_um : motion.synchronous_um;
     answer.unit = unit::um;
     answer.decimals = 1;
+    if (const double U_um =
+            has_total ? motion.total_expanded_uncertainty_um : motion.synchronous_expanded_uncertainty_um;
+        std::isfinite(U_um)) {
+        answer.expanded_uncertainty = U_um;
+        answer.decimals = form::decimalsFor(U_um);
+    }
+    answer.values = {{"turns", std::int64_t{section.revolutions_used}}};
+    if (!has_total) {
+        answer.sentence = LT_TEXT("Engine", "Only averages of {turns} turns are known · probe X3");
+        return answer;
+    }
     answer.sentence =
         LT_TEXT("Engine",
                 "Repeats with every turn {synchronous_um:1} µm, differs from turn to turn {asynchronous_um:1} µm · "
                 "{turns} turns · probe X3");
-    answer.values = {{"synchronous_um", section.spindle.synchronous_um},
-                     {"asynchronous_um", section.spindle.asynchronous_um},
+    answer.values = {{"synchronous_um", motion.synchronous_um},
+                     {"asynchronous_um", motion.asynchronous_um},
                      {"turns", std::int64_t{section.revolutions_used}}};
     return answer;
 }

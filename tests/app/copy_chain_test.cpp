@@ -1,8 +1,10 @@
 // The chain in the window, from files that are dropped to the dossier: asked, run, cancelled, gone on with after a
 // change, undone, and its fit taken to the machine.
 #include <QDialog>
+#include <QDir>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QToolBar>
 #include <QUndoStack>
 
@@ -12,6 +14,7 @@
 #include "engine/io/file.h"
 #include "engine/receptance/spindle/spindle_file.h"
 #include "engine/receptance/spindle/spindle_item.h"
+#include "engine/report/title_block.h"
 #include "engine/sample/chain_sample.h"
 #include "tests/app/window_fixture.h"
 #include "tests/widgets/core/drop_files.h"
@@ -19,6 +22,7 @@
 #include "widgets/chain/chain_run_row.h"
 #include "widgets/chain/chain_steps.h"
 #include "widgets/chain/chain_views.h"
+#include "widgets/core/report/report_pdf.h"
 #include "widgets/deflection/deflection_panel.h"
 #include "widgets/drawing/drawing_panel.h"
 #include "widgets/turning/turning_panel.h"
@@ -157,7 +161,22 @@ private slots:
         QVERIFY(panel().result()->proof && panel().result()->proof->places.size() >= 3);
         QVERIFY(panel().views().chart()->data().curves.size() >= 4);
         QCOMPARE(panel().views().rows()->rowCount(), static_cast<int>(panel().result()->proof->places.size()));
-        QVERIFY(panel().reportDocument()->sections.size() > 8);
+        // Two pages for the customer, with six pictures; the rest is in the annexes.
+        std::optional<report::Document> dossier = panel().reportDocument();
+        QVERIFY(dossier);
+        report::setTitleBlock(*dossier, {});
+        const std::string pdf = toPdf(*dossier);
+        if (qEnvironmentVariableIsSet("LATHELIER_WRITE_BASELINES"))
+            io::writeFile((QDir::tempPath() + "/lathelier_dossier.pdf").toStdString(), pdf);
+        QCOMPARE(
+            QString::fromLatin1(pdf.data(), static_cast<int>(pdf.size())).count(QRegularExpression("/Type /Page\\b")),
+            2);
+        int pictures = 0;
+        for (const report::Section& section : dossier->sections)
+            for (const report::Block& block : section.blocks)
+                pictures += std::holds_alternative<report::Picture>(block);
+        QCOMPARE(pictures, 6);
+        QVERIFY(QFile::exists(QString::fromStdString(out() + "/annex_deflection.html")));
         QVERIFY(window_->questionBar().box("proof")->answer().state == QuestionAnswer::State::Answered);
         // Signs of the steps, and files and digests in the tooltips of their table.
         const chain::ChainStep& recognise = *row().looked()->step("recognise");

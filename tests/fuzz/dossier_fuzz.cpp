@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "engine/chain/dossier_cover.h"
 #include "engine/chain/dossier_read.h"
-#include "engine/chain/dossier_report.h"
 #include "engine/chain/proof.h"
 #include "engine/core/error.h"
 

@@ -78,9 +78,9 @@ PanelFacts chainPanelFacts()
         return wasRun(state) ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "a run of the chain")};
     };
     facts.has_work = wasRun;
-    facts.report = [](const project::PanelState& state, Stores& stores, task::Sources&, const Language&,
+    facts.report = [](const project::PanelState& state, Stores& stores, task::Sources&, const Language& language,
                       const Progress& progress) {
-        return chain::reportOf(chain::chainOutcome(state, stores, progress));
+        return chain::reportOf(chain::chainOutcome(state, stores, progress), language);
     };
     facts.answer = [](const project::PanelState& state, Stores& stores, task::Sources&, const Progress& progress) {
         const auto outcome = std::make_shared<const chain::ChainOutcome>(chain::chainOutcome(state, stores, progress));
@@ -151,6 +151,11 @@ void ChainPanel::assignFiles(project::PanelState& state, const std::vector<Found
             state.inputs[role] = newSource(QString::fromStdString(file.path));
         }
     }
+}
+
+report::Document ChainPanel::document(const chain::ChainOutcome& outcome) const
+{
+    return chain::reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> ChainPanel::exports() const

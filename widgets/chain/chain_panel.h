@@ -28,7 +28,7 @@ protected:
     void showResult(const std::shared_ptr<const chain::ChainOutcome>& outcome) override;
     report::Answer answer(const chain::ChainOutcome& outcome) const override { return chain::answerOf(outcome); }
     Notes notes(const chain::ChainOutcome& outcome) const override { return outcome.notes; }
-    report::Document document(const chain::ChainOutcome& outcome) const override { return chain::reportOf(outcome); }
+    report::Document document(const chain::ChainOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     Worker::Job makeReadingJob(const project::PanelState& state) const override;

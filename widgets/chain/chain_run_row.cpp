@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/chain/dossier_report.h"
+#include "engine/chain/dossier_cover.h"
 #include "engine/chain/of_project/chain_memory.h"
 #include "engine/chain/of_project/settled_chain.h"
 #include "engine/chain/step_state.h"
@@ -310,7 +310,7 @@ void ChainRunRow::exportReport()
                                                       tr("HTML (*.html)") + ";;" + tr("PDF (*.pdf)"));
     if (!dossier || path.isEmpty()) return;
     try {
-        writeReport(path, chain::dossierReport(*dossier));
+        writeReport(path, chain::dossierReport(*dossier, screenLanguage()));
     } catch (const Error& error) {
         emit messageRaised({error, chainTitle});
     }

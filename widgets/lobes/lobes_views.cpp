@@ -1,12 +1,31 @@
 #include "widgets/lobes/lobes_views.h"
 
+#include <QHBoxLayout>
 #include <QVBoxLayout>
+#include <numbers>
 
+#include "engine/core/units.h"
 #include "engine/receptance/frf_plots.h"
 #include "engine/stability/stability_report.h"
+#include "widgets/core/icons.h"
 #include "widgets/core/language.h"
+#include "widgets/core/panel/view_frame.h"
 
 namespace lathelier::lobes_panel {
+namespace {
+
+constexpr int frame_ms = 50;
+constexpr int framesOfSwing = 40;
+constexpr double shownShare = 1.0 / 3;  ///< of the largest radius: the drawn amplitude
+
+double largestRadius_mm(const Skin& skin)
+{
+    double radius_mm = 0;
+    for (const SkinStation& station : skin.stations) radius_mm = std::max(radius_mm, station.radius_mm);
+    return radius_mm;
+}
+
+}  // namespace
 
 LobesViews::LobesViews(QWidget* parent)
     : QWidget(parent),
@@ -15,14 +34,36 @@ LobesViews::LobesViews(QWidget* parent)
       chatter_(new plot::ChartView),
       parts_(new plot::ChartView),
       magnitude_(new plot::ChartView),
-      candidates_(new CopyTable)
+      candidates_(new CopyTable),
+      swinging_(new QWidget),
+      work_(new scene::SceneView),
+      remark_(new QLabel),
+      play_(new QToolButton)
 {
     lobes_->setObjectName("lobes");
     chatter_->setObjectName("chatterFrequency");
     parts_->setObjectName("realImaginary");
     magnitude_->setObjectName("magnitude");
     candidates_->setObjectName("candidates");
+    work_->setObjectName("lobesSwing");
+    play_->setObjectName("playSwing");
+    play_->setCheckable(true);
+    play_->setAutoRaise(true);
+    play_->setIcon(icon("play"));
+    play_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    auto* head = new QWidget;
+    head->setProperty(ViewFrame::onlyLarge, true);
+    auto* beside = new QHBoxLayout(head);
+    beside->setContentsMargins(0, 0, 0, 0);
+    beside->addWidget(remark_, 1);
+    beside->addWidget(play_);
+    auto* stacked = new QVBoxLayout(swinging_);
+    stacked->setContentsMargins(0, 0, 0, 0);
+    stacked->setSpacing(0);
+    stacked->addWidget(head);
+    stacked->addWidget(work_, 1);
     primaryViews_->add("lobes", lobes_);
+    primaryViews_->add("swing", swinging_);
     primaryViews_->add("parts", parts_);
     primaryViews_->add("magnitude", magnitude_);
     primaryViews_->add("chatter", chatter_);
@@ -40,6 +81,13 @@ LobesViews::LobesViews(QWidget* parent)
         if (row >= 0 && static_cast<std::size_t>(row) < list.size())
             emit speedRequested(list[static_cast<std::size_t>(row)].speed_rpm);
     });
+    clock_.setInterval(frame_ms);
+    connect(&clock_, &QTimer::timeout, this, [this] {
+        tick_ = (tick_ + 1) % framesOfSwing;
+        if (work_->isVisible()) showSwing();
+    });
+    connect(play_, &QToolButton::toggled, this, &LobesViews::play);
+    connect(work_, &scene::SceneView::notWritten, this, &LobesViews::notWritten);
     for (plot::ChartView* chart : {lobes_, chatter_, parts_, magnitude_})
         connect(chart, &plot::PlotWidget::notWritten, this, &LobesViews::notWritten);
     retranslate();
@@ -49,6 +97,9 @@ void LobesViews::setOutcome(const std::shared_ptr<const stability::LobesOutcome>
 {
     outcome_ = outcome;
     primaryViews_->setAvailable("candidates", !outcome->safe.peaks.empty());
+    const bool swings = outcome->swing && work_->canDraw();
+    primaryViews_->setAvailable("swing", swings);
+    if (!swings) play_->setChecked(false);
     show();
 }
 
@@ -68,11 +119,50 @@ void LobesViews::show()
         receptance::realImaginaryPlot(*outcome_->response.frf, result.frequency_of_minimum_hz, screenLanguage()));
     magnitude_->setData(receptance::magnitudePlot(*outcome_->response.frf));
     candidates_->setTable(stability::pocketsTable(outcome_->safe, result.isRelative()));
+    showSwing();
+}
+
+void LobesViews::play(bool on)
+{
+    play_->setIcon(icon(on ? "pause" : "play"));
+    tick_ = 0;
+    if (on)
+        clock_.start();
+    else
+        clock_.stop();
+    showSwing();
+}
+
+/// At rest the work stands at its largest.
+void LobesViews::showSwing()
+{
+    if (!outcome_ || !outcome_->swing || !work_->canDraw()) return;
+    const receptance::ForcedShape& shape = *outcome_->swing;
+    const double phase_rad = 2 * std::numbers::pi * tick_ / framesOfSwing;
+    const Skin skin = receptance::swingingSkin(*outcome_->response.shaft, shape, phase_rad);
+    scene::SceneObject work;
+    work.name = tr("Work");
+    work.scan =
+        std::make_shared<const Scan>(meshOf(skin, shownShare * largestRadius_mm(skin), Eigen::Isometry3d::Identity()));
+    work.values = std::make_shared<const std::vector<float>>(skin.values);
+    report::DeviationColours colours{report::niceLimit(um_per_mm * shape.largest_mm_N())};
+    colours.steps = report::contourSteps;
+    work_->setScale({LT_TEXT("Engine", "Deflection per force"), LT_TEXT("Engine", "µm/N")});
+    work_->setColours(colours);
+    work_->setLongAxis(scene::SceneAxis{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
+    work_->setObjects({work});
+    remark_->setText(
+        tr("Chatter at %1 under a force at z %2; the amplitude is drawn large")
+            .arg(screenQuantity(shape.frequency_hz, unit::hz, 1), screenQuantity(shape.force_z_mm, unit::mm, 1)));
 }
 
 void LobesViews::retranslate()
 {
     primaryViews_->setTitle("lobes", tr("Lobes"));
+    primaryViews_->setTitle("swing", tr("How the work swings"));
+    play_->setText(tr("Swing"));
+    play_->setToolTip(tr("Let the work swing as it chatters"));
+    play_->setAccessibleName(play_->toolTip());
     primaryViews_->setTitle("parts", tr("Real and imaginary"));
     primaryViews_->setTitle("magnitude", tr("Magnitude"));
     primaryViews_->setTitle("chatter", tr("Chatter frequency"));

@@ -1,6 +1,10 @@
-// The views of the lobes: the chart with a draggable operating point, the frequency response, the candidates.
+// The views of the lobes: the chart with a draggable operating point, the work as it swings, the frequency response,
+// the candidates.
 #pragma once
 
+#include <QLabel>
+#include <QTimer>
+#include <QToolButton>
 #include <QWidget>
 #include <memory>
 
@@ -8,6 +12,7 @@
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
+#include "widgets/scene/scene_view.h"
 
 namespace lathelier::lobes_panel {
 
@@ -29,6 +34,8 @@ signals:
 
 private:
     void show();
+    void play(bool on);
+    void showSwing();
 
     std::shared_ptr<const stability::LobesOutcome> outcome_;
     PrimaryViews* primaryViews_;
@@ -37,6 +44,12 @@ private:
     plot::ChartView* parts_;
     plot::ChartView* magnitude_;
     CopyTable* candidates_;
+    QWidget* swinging_;  ///< the work, with its remark and button
+    scene::SceneView* work_;
+    QLabel* remark_;
+    QToolButton* play_;
+    QTimer clock_;
+    int tick_ = 0;
 };
 
 }  // namespace lathelier::lobes_panel

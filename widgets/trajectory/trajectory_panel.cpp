@@ -14,8 +14,8 @@ PanelInputs panelInputs()
 {
     return trajectory_common::spindleInputs(
         trajectory::motionTask(), rolesOf(trajectory::motionTask(), roles),
-        {"workpiece_diameter_mm", "z_mm", "feed_mm_rev"},
-        {"channels", "sensitivity_um_per_V", "marker_threshold_V", "channel_skew_s", "rotation", "points",
+        {"error_motion_limit_um", "workpiece_diameter_mm", "z_mm", "feed_mm_rev"},
+        {"decision", "channels", "sensitivity_um_per_V", "marker_threshold_V", "channel_skew_s", "rotation", "points",
          "revolutions", "sections", "drift", "outlier_sigmas"},
         LT_TEXT("Engine", "Drop a probe record here: a table, or a pair .dat and .par of L-Graph."));
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/chain/chain_codes.h"
+#include "engine/chain/dossier_cover.h"
 #include "engine/chain/dossier_report.h"
 #include "engine/core/texts.h"
 #include "engine/core/units.h"
@@ -40,50 +41,6 @@ void addFit(ChainOutcome& outcome, const Progress& progress)
     } catch (const Error& error) {
         outcome.notes.push_back({notes::fitRefused, {{"reason", text(error)}}});
     }
-}
-
-/// Prediction against the copy; a copy out of its limit is not a proof, even if it was predicted well.
-report::Answer proofAnswer(const Proof& proof, const std::optional<report::Finding>& copy)
-{
-    constexpr std::size_t most_rows = 3;
-    report::Answer answer;
-    answer.quantity = LT_TEXT("Engine", "Prediction and copy differ by");
-    std::vector<ComparedError> places = proof.places;
-    const auto size = [](const ComparedError& place) { return std::abs(place.normalized_error); };
-    std::stable_sort(places.begin(), places.end(),
-                     [&](const ComparedError& a, const ComparedError& b) { return size(a) > size(b); });
-    if (copy) answer.findings.push_back(*copy);
-    std::int64_t disagreeing = 0;
-    for (const ComparedError& place : places) {
-        if (!(size(place) > 1)) continue;
-        if (++disagreeing > static_cast<std::int64_t>(most_rows)) continue;
-        answer.findings.push_back(
-            {LT_TEXT("Engine", "Row {row}: measured {measured:1} µm, predicted {predicted:1} µm, E_n {error:2}"),
-             {{"row", place.row},
-              {"measured", place.measured_um},
-              {"predicted", place.predicted_um},
-              {"error", place.normalized_error}},
-             Verdict::Fail,
-             {Interval{place.z_start_mm, place.z_end_mm}, {}, {}, {}}});
-    }
-    // |E_n| <= 1, said in micrometres: the difference against both uncertainties together.
-    const ComparedError& worst = places.front();
-    answer.value = std::abs(worst.measured_um - worst.predicted_um);
-    answer.upper_limit = std::hypot(worst.measured_uncertainty_um, worst.predicted_uncertainty_um);
-    answer.unit = micrometre;
-    answer.decimals = 1;
-    const bool is_out = copy && copy->verdict == Verdict::Fail;
-    answer.verdict = disagreeing == 0 && !is_out ? Verdict::Pass : Verdict::Fail;
-    if (disagreeing == 0 && !is_out && copy && copy->verdict == Verdict::Undecided) answer.verdict = Verdict::Undecided;
-    answer.verdict_words = disagreeing > 0 ? LT_TEXT("Engine", "✗ prediction disagrees with the copy")
-                           : is_out        ? LT_TEXT("Engine", "✗ predicted well, but the copy is out of its limit")
-                           : answer.verdict == Verdict::Undecided
-                               ? LT_TEXT("Engine", "? predicted well; the copy's limit is not decided")
-                               : LT_TEXT("Engine", "✓ prediction agrees with the copy");
-    answer.sentence = LT_TEXT("Engine", "|E_n| {error:2} · {agreeing} of {rows} rows agree within both uncertainties.");
-    const auto rows = static_cast<std::int64_t>(places.size());
-    answer.values = {{"error", size(worst)}, {"agreeing", rows - disagreeing}, {"rows", rows}};
-    return answer;
 }
 
 }  // namespace
@@ -174,19 +131,15 @@ report::Plot plotOf(const ChainOutcome& outcome)
     return plot;
 }
 
-report::Document reportOf(const ChainOutcome& outcome)
+report::Document reportOf(const ChainOutcome& outcome, const Language& language)
 {
-    report::Document document = dossierReport(*outcome.dossier);
+    report::Document document = dossierReport(*outcome.dossier, language);
+    document.sections.back().blocks.emplace_back(
+        report::Paragraph{LT_TEXT("Engine", "dossier.json, which names all files: SHA-256 {sha256}."),
+                          {{"sha256", outcome.file.sha256}}});
     if (outcome.fit)
-        document.sections.push_back(
-            {LT_TEXT("Engine", "Stiffness and forces from the copy"), {plotOf(outcome), fitTable(*outcome.fit)}});
-    document.inputs = {outcome.file};
-    for (const ChainStep& step : outcome.dossier->steps)
-        for (const InputFile& file : step.inputs)
-            if (std::filesystem::path(file.path).is_absolute() &&
-                std::none_of(document.inputs.begin(), document.inputs.end(),
-                             [&](const InputFile& known) { return known.path == file.path; }))
-                document.inputs.push_back(file);
+        document.sections.insert(document.sections.begin() + 1,
+                                 {LT_TEXT("Engine", "Stiffness and forces from the copy"), {fitTable(*outcome.fit)}});
     document.synthetic = outcome.synthetic;
     return document;
 }

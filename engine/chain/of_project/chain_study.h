@@ -31,7 +31,7 @@ ChainOutcome chainOutcome(const project::PanelState& state, Stores& stores, cons
 report::Answer answerOf(const ChainOutcome& outcome);
 
 /// The dossier's report with the fit.
-report::Document reportOf(const ChainOutcome& outcome);
+report::Document reportOf(const ChainOutcome& outcome, const Language& language);
 
 /// Factor, value and uncertainty of the fitted parameters; E_n before and after.
 report::Table fitTable(const MachineFit& fit);

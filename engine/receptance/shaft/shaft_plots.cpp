@@ -3,49 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/beam/segment_contour.h"
 #include "engine/core/texts.h"
 #include "engine/core/units.h"
+#include "engine/receptance/shaft/shaft_contour.h"
 
 namespace lathelier::receptance {
 namespace {
 
 constexpr std::size_t mostDimensioned = 12;  ///< largest number of segments with dimensions, so that labels do not
                                              ///< overlap
-constexpr int piecesOfArc = 40;
-constexpr double step_mm = 0.1;  ///< step of a dragged dimension
+constexpr double step_mm = 0.1;              ///< step of a dragged dimension
 constexpr char handleStart[] = "end of segment ";
 
-/// Upper contours of the outside and of the bore, from the free end to the chuck.
-struct Contour {
-    std::vector<double> z_mm, radius_mm, bore_mm;
-    double largest_mm = 0;  ///< largest radius
-};
-
-Contour contourOf(const Shaft& shaft)
-{
-    Contour contour;
-    double z_mm = 0;
-    for (const ShaftSegment& segment : shaft.segments) {
-        const beam::SegmentContour shape(segment);
-        const int pieces = segment.arc_radius_mm && segment.length_mm > 0 ? piecesOfArc : 1;
-        for (int i = 0; i <= pieces; ++i) {
-            const double at_mm = segment.length_mm * i / pieces;
-            const double radius_mm = i == 0        ? segment.start_diameter_mm / 2
-                                     : i == pieces ? segment.end_diameter_mm / 2
-                                                   : shape.radiusAt_mm(at_mm);
-            contour.z_mm.push_back(z_mm + at_mm);
-            contour.radius_mm.push_back(radius_mm);
-            contour.bore_mm.push_back(segment.bore_diameter_mm / 2);
-            contour.largest_mm = std::max(contour.largest_mm, radius_mm);
-        }
-        z_mm += segment.length_mm;
-    }
-    return contour;
-}
-
 /// The wall above (sign 1) or below (-1) the axis.
-report::Region wall(const Contour& contour, double sign)
+report::Region wall(const ShaftContour& contour, double sign)
 {
     report::Region region;
     region.colour = report::ColourRole::Original;
@@ -75,7 +46,7 @@ report::Region box(report::Caption name, double from_mm, double to_mm, double lo
             {low_mm, low_mm, high_mm, high_mm}};
 }
 
-double radiusAt(const Contour& contour, double z_mm)
+double radiusAt(const ShaftContour& contour, double z_mm)
 {
     double radius_mm = contour.radius_mm.back();
     for (std::size_t i = contour.z_mm.size(); i-- > 0;)
@@ -84,7 +55,7 @@ double radiusAt(const Contour& contour, double z_mm)
 }
 
 /// Jaws behind the chuck face; a wedge under each further support.
-void addSupports(report::Plot& plot, const Contour& contour, const ShaftHolding& holding, double length_mm)
+void addSupports(report::Plot& plot, const ShaftContour& contour, const ShaftHolding& holding, double length_mm)
 {
     const double depth_mm = std::max(0.08 * length_mm, 0.3 * contour.largest_mm);
     const double end_mm = contour.radius_mm.back();
@@ -180,7 +151,7 @@ report::Plot shaftDrawing(const Shaft& shaft, const ShaftHolding& holding, bool 
     plot.x = {LT_TEXT("Engine", "z from the free end"), unit::mm};
     plot.y = {LT_TEXT("Engine", "Radius"), unit::mm};
     plot.equal_scales = true;
-    const Contour contour = contourOf(shaft);
+    const ShaftContour contour = contourOf(shaft);
     if (contour.z_mm.empty()) return plot;
     const double length_mm = shaft.length_mm();
     for (const double sign : {1.0, -1.0}) plot.regions.push_back(wall(contour, sign));

@@ -1,6 +1,5 @@
 #include "engine/receptance/shaft/shaft_receptance.h"
 
-#include <Eigen/LU>
 #include <array>
 #include <cmath>
 
@@ -9,9 +8,9 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/core/unusual.h"
-#include "engine/receptance/coupling.h"
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/refined_lines.h"
+#include "engine/receptance/shaft/held_beam.h"
 
 namespace lathelier::receptance {
 namespace {
@@ -19,21 +18,6 @@ namespace {
 constexpr double mostShaftLines = 1e6;
 constexpr std::size_t linesPerShaftTask = 64;
 constexpr std::size_t places = 3;  // response, excitation, chuck face
-constexpr double singular = 1e-14;
-
-/// Receptance of the shaft on a spindle, response place by excitation place.
-ReceptanceMatrix onSpindle(beam::BeamReceptance& shaft, const ReceptanceMatrix& spindle, double frequency_hz)
-{
-    std::array<ReceptanceMatrix, places * places> g;
-    const Complex determinant = spindle(0, 0) * spindle(1, 1) - spindle(0, 1) * spindle(1, 0);
-    const double size = std::abs(spindle(0, 0) * spindle(1, 1)) + std::abs(spindle(0, 1) * spindle(1, 0));
-    if (std::abs(determinant) > singular * size) {
-        shaft.at(frequency_hz, spindle.inverse(), g);
-        return g[1];
-    }
-    shaft.at(frequency_hz, g);  // a chuck face without any stiffness has no inverse
-    return coupled({g[1], g[2], g[8], g[7]}, spindle);
-}
 
 constexpr double widestStep_hz = 2;      ///< first step of refined lines
 constexpr double besideFirstLine = 1.5;  ///< a mode as near to the first line has its least real part there or below
@@ -153,12 +137,11 @@ Frf receptanceOf(const Shaft& shaft, const Material& material, const ReceptanceP
             std::array<ReceptanceMatrix, places * places> g;
             for (std::size_t line = begin; line < end; ++line) {
                 const double f = frequency_hz[line];
-                if (spindle) {
-                    value[line] = onSpindle(mine, spindle->at(f), f)(0, 0);
-                } else {
+                if (spindle)
+                    receptancesOnSpindle(mine, spindle->at(f), places - 1, f, g);
+                else
                     mine.at(f, g);
-                    value[line] = g[1](0, 0);
-                }
+                value[line] = g[1](0, 0);
             }
         });
         return value;

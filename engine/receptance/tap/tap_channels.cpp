@@ -32,7 +32,7 @@ struct Asked {
 std::string channelName(const TimeChannel& channel)
 {
     const std::string& name = channel.heading.empty() ? channel.name : channel.heading;
-    return name.empty() ? "#" + std::to_string(channel.number) : name;
+    return name.empty() ? std::string("#").append(std::to_string(channel.number)) : name;
 }
 
 std::string offeredChannels(const io::TimeRecord& record)

@@ -90,6 +90,17 @@ std::optional<SpeedResult> candidatesOf(const LobesOutcome& outcome)
     }
 }
 
+std::optional<receptance::ForcedShape> swingOf(const LobesOutcome& outcome)
+{
+    if (!outcome.response.shaft) return std::nullopt;
+    const PointStability work = pointStabilityAt(*outcome.lobes, outcome.point.speed_rpm, outcome.point.depth_mm);
+    const std::optional<double> frequency_hz =
+        std::isfinite(work.frequency_hz) ? work.frequency_hz : outcome.lobes->frequency_of_minimum_hz;
+    if (!frequency_hz) return std::nullopt;
+    return receptance::forcedShape(*outcome.response.shaft, outcome.question.response.computing,
+                                   outcome.response.holding, *frequency_hz);
+}
+
 void answerPass(LobesOutcome& outcome, Stores& stores, const Progress& progress)
 {
     const LobesQuestion& question = outcome.question;
@@ -222,6 +233,7 @@ LobesOutcome answerLobes(const project::PanelState& state, Stores& stores, task:
                                       rangeOf(question, outcome.lobes->speed_rpm)};
         outcome.safe = safeSpeed(*outcome.response.frf, question.lobes, asked, progress.part(0.6, 1));
         outcome.candidates = candidatesOf(outcome);
+        outcome.swing = swingOf(outcome);
     }
     Understanding assumed;
     assumePoint(outcome, assumed);

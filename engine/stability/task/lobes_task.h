@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/receptance/shaft/forced_shape.h"
 #include "engine/stability/lobes.h"
 #include "engine/stability/marks_item.h"
 #include "engine/stability/operating_point.h"
@@ -45,6 +46,9 @@ struct LobesOutcome : task::Answered {
     std::optional<SpeedResult> candidates;    ///< by the rule and relation asked for; none: no speed by it
     std::shared_ptr<const PassResult> pass;   ///< null: not asked
     std::optional<SurfaceMarks> marks;        ///< of a cut surface; none: not given
+    /// How the work swings as it chatters, at the point's speed, else at the least limit; none: its shaft is not known,
+    /// nothing chatters, or a pass is asked for.
+    std::optional<receptance::ForcedShape> swing;
 };
 
 /// Errors: those of takeResponse(), findLobes(), lobesOverPass(). Throws Cancelled.

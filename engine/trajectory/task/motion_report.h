@@ -8,7 +8,7 @@ namespace lathelier::trajectory {
 
 /// Error motion of every probe, trajectories, method. The form of the workpiece is in trajectoryReport(). `notes`: of
 /// the result and its files.
-report::Document motionReport(const TrajectoryResult& result, const TrajectorySection& section, const Notes& notes,
-                              const Language& language = {});
+report::Document motionReport(const report::Answer& answer, const TrajectoryResult& result,
+                              const TrajectorySection& section, const Notes& notes, const Language& language = {});
 
 }  // namespace lathelier::trajectory

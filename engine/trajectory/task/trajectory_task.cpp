@@ -1,9 +1,11 @@
 #include "engine/trajectory/task/trajectory_task.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/field_within.h"
 #include "engine/core/json.h"
+#include "engine/core/units.h"
 #include "engine/form/roundness/no_filter.h"
 #include "engine/form/roundness/roundness_dfq.h"
 #include "engine/task/memo.h"
@@ -79,6 +81,29 @@ task::Outcome commonOf(const std::shared_ptr<const Outcome>& outcome)
     return all;
 }
 
+/// Of the chosen section; undecided where only averages are known.
+std::optional<Verdict> verdictOf(const MotionOutcome& outcome)
+{
+    const TrajectorySection* const section = outcome.chosenSection();
+    const std::optional<double>& limit_um = outcome.question.error_motion_limit_um;
+    if (!section || !limit_um) return std::nullopt;
+    if (!std::isfinite(section->spindle.total_um)) return Verdict::Undecided;
+    return judge(section->spindle.total_um, section->spindle.total_expanded_uncertainty_um, *limit_um,
+                 outcome.question.of_record.parameters.form.decision);
+}
+
+report::Answer answerOf(const MotionOutcome& outcome)
+{
+    const TrajectorySection* const section = outcome.chosenSection();
+    if (!section) return {};
+    report::Answer answer = motionAnswer(*outcome.trajectory, *section);
+    answer.upper_limit = outcome.question.error_motion_limit_um;
+    answer.verdict = verdictOf(outcome);
+    return answer;
+}
+
+/// `Question`: of either task.
+template <class Question>
 task::Task taskOfRecords()
 {
     task::Task made;
@@ -86,7 +111,7 @@ task::Task taskOfRecords()
     made.summary = "Evaluate probe records: trajectories, image of the surface, roundness, longitudinal section.";
     made.question = "roundness";
     made.inputs = {recordInput("")};
-    task::askFor<TrajectoryQuestion>(made);
+    task::askFor<Question>(made);
     return made;
 }
 
@@ -104,6 +129,22 @@ const std::vector<Field<TrajectoryQuestion>>& fieldsOf(const TrajectoryQuestion*
     static const auto all = [] {
         std::vector<Field<Q>> made{form::noFilterField(&Q::no_filter)};
         for (const FieldInfo& info : infos<TrajectoryParameters>()) made.push_back(within(&Q::parameters, info.key));
+        return made;
+    }();
+    return all;
+}
+
+const std::vector<Field<MotionQuestion>>& fieldsOf(const MotionQuestion*)
+{
+    using Q = MotionQuestion;
+    static const auto all = [] {
+        std::vector<Field<Q>> made;
+        for (const FieldInfo& info : infos<TrajectoryQuestion>()) made.push_back(within(&Q::of_record, info.key));
+        made.push_back(field(
+            "error_motion_limit_um", &Q::error_motion_limit_um, Range{0.001, 1e5},
+            Label{LT_TEXT("Engine", "Error motion allowed"),
+                  LT_TEXT("Engine", "Limit of the total error motion of the workpiece axis (ISO 230-7), probe X3."),
+                  unit::um}));
         return made;
     }();
     return all;
@@ -128,6 +169,7 @@ MotionOutcome answerMotion(const project::PanelState& state, Stores& stores, tas
                            const Progress& progress)
 {
     MotionOutcome outcome;
+    outcome.question = fromValues<MotionQuestion>(state.parameters);
     const Begun begun = begin(outcome, state, stores, sources, progress.part(0, recordReadingShare));
     if (const auto* const record = std::get_if<io::ProbeRecord>(&outcome.records.front()->file.record))
         outcome.time_signals = stores.of<TimeSignals>()->find(
@@ -166,15 +208,14 @@ task::Outcome outcomeOf(const std::shared_ptr<const TrajectoryOutcome>& outcome)
 task::Outcome outcomeOf(const std::shared_ptr<const MotionOutcome>& outcome)
 {
     task::Outcome all = commonOf(outcome);
-    all.answer = [outcome](const Language&) {
-        const TrajectorySection* const section = outcome->chosenSection();
-        return section ? motionAnswer(*outcome->trajectory, *section) : report::Answer{};
-    };
+    all.verdict = verdictOf(*outcome);  // not that of the sections' roundness
+    all.answer = [outcome](const Language&) { return answerOf(*outcome); };
     if (outcome->problem)
         all.errors.push_back(*outcome->problem);
     else
         all.report = [outcome](const Language& language) {
-            return motionReport(*outcome->trajectory, *outcome->chosenSection(), outcome->notes, language);
+            return motionReport(answerOf(*outcome), *outcome->trajectory, *outcome->chosenSection(), outcome->notes,
+                                language);
         };
     return settled(motionTask(), std::move(all), outcome->understanding);
 }
@@ -182,7 +223,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const MotionOutcome>& outcome)
 const task::Task& trajectoryTask()
 {
     static const task::Task task = [] {
-        task::Task made = taskOfRecords();
+        task::Task made = taskOfRecords<TrajectoryQuestion>();
         made.title = LT_TEXT("Engine", "Longitudinal");
         made.exports = {
             {sectionsExport, "Write the table of the sections as FILE.csv.",
@@ -203,7 +244,7 @@ const task::Task& trajectoryTask()
 const task::Task& motionTask()
 {
     static const task::Task task = [] {
-        task::Task made = taskOfRecords();
+        task::Task made = taskOfRecords<MotionQuestion>();
         made.title = LT_TEXT("Engine", "Trajectory");
         made.exports = {imagesAsTable(LT_TEXT("Engine", "Trajectories and images of all sections (CSV)…"))};
         made.run = [](const project::PanelState& state, const task::Wanted&, Stores& stores, task::Sources& sources,

@@ -18,6 +18,14 @@ struct TrajectoryQuestion {
 
 const std::vector<Field<TrajectoryQuestion>>& fieldsOf(const TrajectoryQuestion*);
 
+/// The motion of the workpiece axis against its limit as well.
+struct MotionQuestion {
+    TrajectoryQuestion of_record;
+    std::optional<double> error_motion_limit_um;  ///< of the total error motion of probe X3; none: nothing is judged
+};
+
+const std::vector<Field<MotionQuestion>>& fieldsOf(const MotionQuestion*);
+
 struct TrajectoryOutcome : task::Answered {
     std::vector<RecordPtr> records;                      ///< as read, in the order of the inputs
     std::shared_ptr<const TrajectoryResult> trajectory;  ///< null only in a MotionOutcome with `problem`
@@ -30,6 +38,7 @@ struct TrajectoryOutcome : task::Answered {
 
 struct MotionOutcome : TrajectoryOutcome {
     std::shared_ptr<const std::vector<TimeSignal>> time_signals;  ///< of the first record; null for averages
+    MotionQuestion question;
     std::optional<Error> problem;  ///< why the records that were read have no answer; their signals show it
 };
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/chain/chain_codes.h"
+#include "engine/chain/dossier_cover.h"
 #include "engine/chain/dossier_kind.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
@@ -61,6 +62,73 @@ struct SmallChain {
     void write() const { io::writeFile(folder + "/" + dossierFile, report::toText(toJson(dossier))); }
     DossierCheck check() const { return checkDossier(folder + "/" + dossierFile); }
 };
+
+ChainStep judgedStep(const std::string& id, const std::optional<Verdict>& verdict)
+{
+    ChainStep step;
+    step.id = id;
+    step.state = StepState::Done;
+    step.verdict = verdict;
+    return step;
+}
+
+TEST(Dossier, TheCoverIsAsRedAsItsWorstStep)
+{
+    Dossier dossier;
+    dossier.steps = {judgedStep("recognise", {}), judgedStep("program", Verdict::Pass)};
+    EXPECT_FALSE(dossier.coverVerdict());  // no copy was judged
+    dossier.verdict = Verdict::Pass;
+    EXPECT_EQ(dossier.coverVerdict(), Verdict::Pass);
+    dossier.steps.push_back(judgedStep("deflection", Verdict::Undecided));
+    EXPECT_EQ(dossier.coverVerdict(), Verdict::Undecided);
+    dossier.steps[1].verdict = Verdict::Fail;
+    EXPECT_EQ(dossier.coverVerdict(), Verdict::Fail);
+    const Json json = toJson(dossier);
+    EXPECT_EQ(json["verdict"], "pass");
+    EXPECT_EQ(json["cover_verdict"], "fail");
+    const auto& cover = std::get<report::Answer>(dossierReport(dossier).sections.front().blocks.front());
+    EXPECT_EQ(cover.verdict, Verdict::Fail);
+    dossier.steps[1].verdict = Verdict::Pass;
+    dossier.steps[2].verdict = Verdict::Fail;
+    EXPECT_EQ(dossier.coverVerdict(), Verdict::Fail);
+    dossier.steps[2].outputs = {{"program_corrected.nc", 1, "0"}};
+    dossier.steps.push_back(judgedStep("corrected_check", Verdict::Pass));
+    EXPECT_EQ(dossier.coverVerdict(), Verdict::Pass);  // what was out as programmed has been corrected
+    dossier.steps[3].verdict = Verdict::Fail;
+    EXPECT_EQ(dossier.coverVerdict(), Verdict::Fail);
+    dossier.steps[3] = judgedStep("corrected_check", {});
+    dossier.steps[3].state = StepState::Failed;
+    EXPECT_EQ(dossier.coverVerdict(), Verdict::Fail);
+}
+
+TEST(Dossier, ThePictureOfEachStepIsOnItsPagesAndTheRestInAnnexes)
+{
+    Dossier dossier;
+    for (const char* id : {"recognise", "draw", "speeds", "program", "deflection", "copy", "proof"}) {
+        ChainStep step = judgedStep(id, Verdict::Pass);
+        report::Plot plot;
+        plot.title = LT_TEXT("Engine", "Meridian");
+        plot.curves.push_back({{}, {0, 1}, {0, 1}});
+        report::Plot more = plot;
+        step.sections = {{LT_TEXT("Engine", "Result"), {report::Answer{}, plot, more}}};
+        dossier.steps.push_back(std::move(step));
+    }
+    std::size_t pictures = 0;
+    for (const report::Section& section : dossierReport(dossier).sections)
+        for (const report::Block& block : section.blocks) {
+            EXPECT_FALSE(std::holds_alternative<report::Plot>(block));
+            const auto* const picture = std::get_if<report::Picture>(&block);
+            if (!picture) continue;
+            EXPECT_TRUE(picture->isHalf());
+            ++pictures;
+        }
+    EXPECT_EQ(pictures, 6u);
+    const std::vector<Annex> annexes = annexesOf(dossier, {});
+    ASSERT_EQ(annexes.size(), 8u);
+    EXPECT_EQ(annexes[4].file, "annex_deflection.html");
+    EXPECT_EQ(annexes[4].document.sections.size(), 1u);
+    EXPECT_EQ(annexes.back().file, "annex_numbers.html");
+}
 
 TEST(Dossier, NumbersAreFoundWithTheirUncertainties)
 {

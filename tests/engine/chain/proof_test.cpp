@@ -25,6 +25,28 @@ Json deflected()
             {"band", {{"z_mm", {1, 11, 21}}, {"low_um", {9, 18, 27}}, {"high_um", {11, 22, 33}}}}};
 }
 
+/// |E_n| <= 1 in micrometres: the difference against both uncertainties together.
+TEST(Proof, AnswersWithTheDifferenceAgainstBothUncertainties)
+{
+    Proof proof;
+    proof.places = {{1, 0, 50, 10, 3, 12, 4, 0.4}, {2, 50, 90, 20, 3, 16, 4, -0.8}};
+    const report::Answer agrees = proofAnswer(proof, {});
+    EXPECT_EQ(agrees.value, 4);
+    EXPECT_EQ(agrees.upper_limit, 5);
+    EXPECT_EQ(agrees.verdict, Verdict::Pass);
+    report::Finding copy;
+    copy.verdict = Verdict::Fail;
+    EXPECT_EQ(proofAnswer(proof, copy).verdict, Verdict::Fail);  // predicted well, but out of its limit
+    copy.verdict = Verdict::Undecided;
+    EXPECT_EQ(proofAnswer(proof, copy).verdict, Verdict::Undecided);
+    proof.places.push_back({3, 90, 100, 0, 3, 7.5, 4, 1.5});
+    const report::Answer differs = proofAnswer(proof, {});
+    EXPECT_EQ(differs.value, 7.5);
+    EXPECT_EQ(differs.verdict, Verdict::Fail);
+    ASSERT_EQ(differs.findings.size(), 1u);
+    EXPECT_EQ(differs.findings.front().verdict, Verdict::Fail);
+}
+
 TEST(Proof, PlacesOfThePredictionCountFromTheFinishedFace)
 {
     const PredictedErrors predicted = predictedErrors(deflected(), 1);

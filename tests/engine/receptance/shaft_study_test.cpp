@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/io/shaft/shaft_file.h"
+#include "engine/receptance/shaft/forced_shape.h"
 #include "engine/receptance/shaft/shaft_plots.h"
 #include "engine/receptance/shaft/shaft_report.h"
 #include "made_spindle.h"
@@ -156,6 +157,44 @@ TEST(ShaftFile, WritesWhatItReads)
     EXPECT_NEAR(stock.length_mm(), shaft.length_mm(), 1e-9);
     EXPECT_EQ(stock.segments[0].bore_diameter_mm, 7.3);
     EXPECT_LT(stock.segments[27].end_diameter_mm, 33.8);  // the groove
+}
+
+TEST(ForcedShape, IsTheResponseOfEachPlaceToTheForce)
+{
+    const Shaft rod = cylinder(250, 40);
+    const ShaftHolding on_springs{SpindleReceptance{SpindleSprings{2e5, 1e9, 0.02}}, {}};
+    ReceptanceParameters parameters;
+    parameters.excite_z_mm = 40;
+    parameters.from_hz = parameters.to_hz = 700;
+    const ForcedShape shape = forcedShape(rod, parameters, on_springs, 700);
+    EXPECT_EQ(shape.force_z_mm, 40);
+    EXPECT_EQ(shape.z_mm.front(), 0);
+    EXPECT_EQ(shape.z_mm.back(), 250);
+    for (const std::size_t place : {std::size_t{0}, shape.z_mm.size() / 2, shape.z_mm.size() - 1}) {
+        parameters.respond_z_mm = shape.z_mm[place];
+        const Complex expected =
+            receptanceOf(rod, rod.material.value_or(Material{}), parameters, on_springs).value.front();
+        EXPECT_NEAR(std::abs(shape.deflection_mm_N[place] - expected), 0, 1e-9 * std::abs(expected));
+    }
+}
+
+TEST(ForcedShape, SwingsAsAClosedSurfaceOneMillimetreWide)
+{
+    Shaft stepped = cylinder(120, 30);
+    stepped.segments.push_back({80, 50, 50, 0, {}, {}});
+    const ShaftHolding clamped{{}, {{200, rigidStiffness, rigidStiffness, 0}}};
+    const ForcedShape shape = forcedShape(stepped, coarse(), clamped, 400);
+    const Skin skin = swingingSkin(stepped, shape, 0);
+    EXPECT_EQ(skin.values.size(), skin.vertexCount());
+    EXPECT_EQ(skin.shift_mm.size(), skin.vertexCount());
+    EXPECT_EQ(skin.stations.front().radius_mm, 0);
+    EXPECT_EQ(skin.stations.back().radius_mm, 0);
+    EXPECT_NEAR(skin.shift_mm.front().x(), 1, 1e-6);  // at the free end, below the second mode
+    EXPECT_NEAR(skin.values.front(), 1000 * shape.largest_mm_N(), 1e-3 * shape.largest_mm_N() * 1000);
+    EXPECT_NEAR(skin.shift_mm.back().x(), 0, 1e-6);  // at the rigid chuck
+    const Skin later = swingingSkin(stepped, shape, std::numbers::pi);
+    EXPECT_NEAR(later.shift_mm.front().x(), -1, 1e-6);
+    EXPECT_EQ(later.values, skin.values);
 }
 
 }  // namespace

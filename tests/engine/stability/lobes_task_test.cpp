@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "engine/io/file.h"
+#include "engine/io/shaft/shaft_file.h"
 #include "engine/stability/modes.h"
 #include "engine/task/stores.h"
 #include "tests/engine/stability/machines.h"
@@ -68,6 +70,35 @@ TEST(LobesTask, AnswersWithTheStableDepth)
     ASSERT_TRUE(told.value);
     EXPECT_LT(*told.value, 0.6);
     EXPECT_NEAR(*told.value, pointStabilityAt(*outcome.lobes, 2885, 0.6).limit_mm, 1e-3);
+}
+
+/// Of a shaft, it swings at the frequency of its chatter, as its response says at the tool.
+TEST(LobesTask, AShaftSwingsAsItChatters)
+{
+    const ScratchFolder folder;
+    const std::string path = (folder / "shaft.json").string();
+    Shaft shaft;
+    shaft.segments = {{150, 30, 30, 0, {}, {}}, {50, 50, 50, 0, {}, {}}};
+    shaft.material = Material{};
+    io::writeFile(path, io::shaftText(shaft));
+    project::PanelState state;
+    state.inputs[shaftRole].path = path;
+    state.parameters = {{"cutting_coefficient_N_mm2", coefficient_N_mm2}};
+    const auto answered = [&] {
+        Stores stores;
+        task::Sources sources;
+        return answerLobes(state, stores, sources, {});
+    };
+    const LobesOutcome outcome = answered();
+    ASSERT_TRUE(outcome.swing);
+    EXPECT_EQ(outcome.swing->force_z_mm, 0);
+    const PointStability work = pointStabilityAt(*outcome.lobes, outcome.point.speed_rpm, outcome.point.depth_mm);
+    EXPECT_EQ(outcome.swing->frequency_hz,
+              std::isfinite(work.frequency_hz) ? work.frequency_hz : *outcome.lobes->frequency_of_minimum_hz);
+    state.inputs.clear();
+    state.parameters.push_back(
+        {modeKey, Rows{{Row{Values{{"frequency_hz", 250.0}, {"damping_ratio", 0.03}, {"stiffness_N_mm", 1e4}}}}}});
+    EXPECT_FALSE(answered().swing);  // of modes alone nobody knows the shape
 }
 
 }  // namespace

@@ -76,6 +76,13 @@ TEST(LobesOverPass, IsTheLimitOfEachStation)
     const double between = (result.speed_rpm[20] + result.speed_rpm[21]) / 2;
     EXPECT_NEAR(pointOfPass(result, between).limit_mm, (result.worst.depth_mm[20] + result.worst.depth_mm[21]) / 2,
                 1e-12);
+    // The answer is the depth that is stable; what was asked is its limit.
+    const report::Answer told = passAnswer(result, safe);
+    const PassPoint point = pointOfPass(result, safe.question.selected_rpm);
+    ASSERT_TRUE(told.value);
+    EXPECT_NEAR(*told.value, point.limit_mm, 2e-3 * point.limit_mm);
+    EXPECT_EQ(told.lower_limit, 1);
+    EXPECT_EQ(told.verdict, point.limit_mm > 1 ? Verdict::Pass : Verdict::Fail);
     lobes.cutting_coefficient_N_mm2.reset();
     EXPECT_EQ(codeOfError([&] {
                   lobesOverPass(steps(), pass, lines, {spindle, {}}, lobes);

@@ -49,6 +49,56 @@ TEST(ErrorMotion, SettingAndEccentricityAreNoErrorMotion)
     EXPECT_NEAR(motion.synchronous_curve_um[0], 1.5, 1e-9);
 }
 
+/// Two lobes, and noise that is one value in each revolution and one at each reading.
+std::vector<double> noisyTurns(std::uint64_t seed, std::size_t revolutions, const std::vector<double>& angle_deg)
+{
+    std::vector<double> values;
+    values.reserve(revolutions * angle_deg.size());
+    for (std::size_t k = 0; k < revolutions; ++k) {
+        const double of_turn = 0.3 * randomNormal(seed, 1, k);
+        for (std::size_t i = 0; i < angle_deg.size(); ++i)
+            values.push_back(2 * std::cos(2 * angle_deg[i] * pi / 180) + of_turn +
+                             0.4 * randomNormal(seed, 2, k * angle_deg.size() + i));
+    }
+    return values;
+}
+
+TEST(ErrorMotion, ItsUncertaintyIsThatOfAnotherRecordOfTheSameSpindle)
+{
+    const std::vector<double> angle_deg = evenAngles(100);
+    constexpr std::uint64_t records = 200;
+    std::vector<ErrorMotion> motions;
+    double synchronous = 0, total = 0;
+    for (std::uint64_t seed = 1; seed <= records; ++seed) {
+        motions.push_back(errorMotion(noisyTurns(seed, 20, angle_deg), angle_deg));
+        synchronous += motions.back().synchronous_um / records;
+        total += motions.back().total_um / records;
+    }
+    int of_total = 0, of_synchronous = 0;
+    double U_total = 0;
+    for (const ErrorMotion& motion : motions) {
+        of_total += std::abs(motion.total_um - total) <= motion.total_expanded_uncertainty_um;
+        of_synchronous += std::abs(motion.synchronous_um - synchronous) <= motion.synchronous_expanded_uncertainty_um;
+        U_total += motion.total_expanded_uncertainty_um / records;
+    }
+    EXPECT_GE(of_total, 190);
+    EXPECT_GE(of_synchronous, 190);
+    EXPECT_LT(U_total, 1.2);  // of 0.5 µm of noise
+}
+
+TEST(ErrorMotion, TheFormOfTheMandrelIsPartOfItsUncertainty)
+{
+    const std::vector<double> angle_deg = evenAngles(100);
+    std::vector<double> still;
+    for (int k = 0; k < 5; ++k)
+        for (const double angle : angle_deg) still.push_back(2 * std::cos(2 * angle * pi / 180));
+    const ErrorMotion motion = errorMotion(still, angle_deg, 0.2);
+    EXPECT_NEAR(motion.total_expanded_uncertainty_um, 0.2, 1e-9);
+    EXPECT_NEAR(motion.synchronous_expanded_uncertainty_um, 0.2, 1e-9);
+    still.resize(2 * angle_deg.size());
+    EXPECT_TRUE(std::isnan(errorMotion(still, angle_deg).total_expanded_uncertainty_um));
+}
+
 TEST(ErrorMotion, AnglesMayBeUnevenOrRepeated)
 {
     std::vector<double> angle_deg, mean;

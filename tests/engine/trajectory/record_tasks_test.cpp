@@ -198,7 +198,30 @@ TEST_F(RecordTasks, TheNumbersOfTheMotionAreThoseOfTheTrajectory)
     const Json json = resultOf(trajectoryTask(), state_, sources_, whole);
     set(state_.parameters, sectionKey, std::int64_t{2});
     const task::Outcome motion = run(motionTask());
-    EXPECT_EQ(resultOf(motionTask(), state_, sources_, motion), json);
+    Json same = resultOf(motionTask(), state_, sources_, motion);
+    same["parameters"].erase("error_motion_limit_um");  // of the motion alone
+    EXPECT_EQ(same, json);
+}
+
+TEST_F(RecordTasks, TheMotionIsJudgedByItsOwnLimit)
+{
+    state_.inputs["record"].path = recordFile(3);
+    set(state_.parameters, "tolerance_um", 0.001);  // of the roundness
+    const task::Outcome free = run(motionTask());
+    EXPECT_FALSE(free.verdict);
+    const report::Answer told = free.answer({});
+    ASSERT_TRUE(told.value && told.expanded_uncertainty);
+    const double total_um = *told.value;
+    for (const auto& [limit_um, expected] : {std::pair{2 * total_um, Verdict::Pass}, {total_um / 2, Verdict::Fail}}) {
+        set(state_.parameters, "error_motion_limit_um", limit_um);
+        const task::Outcome judged = run(motionTask());
+        EXPECT_EQ(judged.verdict, expected);
+        EXPECT_EQ(judged.answer({}).verdict, expected);
+        EXPECT_EQ(judged.answer({}).upper_limit, limit_um);
+    }
+    set(state_.parameters, "error_motion_limit_um", total_um + *told.expanded_uncertainty / 2);
+    set(state_.parameters, "decision", std::string("guarded"));
+    EXPECT_EQ(run(motionTask()).verdict, Verdict::Undecided);
 }
 
 TEST_F(RecordTasks, ARecordWithoutAResultStillHasItsSignals)

@@ -1,6 +1,8 @@
 // The panel "Training", used as a trainer does: the point dragged, the tour stepped in both languages, an exercise
 // answered, the chart hidden, a demonstration written.
+#include <QDir>
 #include <QLabel>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -140,16 +142,30 @@ private slots:
         languages.use("en");
     }
 
-    /// The panel as the window gives it room at 1280 × 800.
+    void whatAStepSpeaksOfIsOnScreen_data()
+    {
+        QTest::addColumn<QString>("language");
+        for (const QString& language : Languages::codes()) QTest::newRow(qPrintable(language)) << language;
+    }
+    /// The panel as the window gives it room at 1280 × 800. LATHELIER_WRITE_LESSONS=1 writes a picture of each step.
     void whatAStepSpeaksOfIsOnScreen()
     {
+        QFETCH(QString, language);
+        Languages languages;
+        languages.use(language);
+        const auto back = qScopeGuard([&] { languages.use("en"); });
         panel_->resize(1280, 650);
         TourPane& tour = panel_->tour();
+        tour.retranslate();
         PrimaryViews& views = *panel_->views().primaryViews();
         for (int step = 0; step < tour.steps(); ++step) {
             tour.goTo(step);
             settle();
             const QString what = QString("step %1: %2").arg(step + 1).arg(views.primary());
+            if (qEnvironmentVariableIsSet("LATHELIER_WRITE_LESSONS")) {
+                QTest::qWait(300);
+                panel_->grab().save(QDir::tempPath() + QString("/lesson_%1_%2.png").arg(language).arg(step + 1));
+            }
             const bool has_chart = views.keys().contains(TrainingViews::alwaysShown());
             QVERIFY2(has_chart != panel_->views().isExercising(), qPrintable(what));
             QWidget* const primary = views.findChild<QWidget*>("training_" + views.primary());

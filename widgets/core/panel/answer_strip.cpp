@@ -266,11 +266,10 @@ void AnswerStrip::setAnswer(const report::Answer& answer)
     quantity_->setToolTip(words.isEmpty() ? toQString(name) : toQString(name) + "\n" + words);
     value_->say(toQString(report::valueText(answer, language)));
     value_->setToolTip(toQString(report::valueLine(answer, language)));
-    verdict_->setText(toQString(report::verdictText(answer, language)));
+    verdictWords_ = toQString(report::verdictText(answer, language));
     showPlate(answer.verdict, true);
     ruler_->setAnswer(answer);
-    if (presenting_) applyFonts();
-    showRuler();
+    applyFonts();
     QString sentence = toQString(report::sentenceText(answer, language));
     if (const QString assumed = toQString(report::assumedText(answer, language)); !assumed.isEmpty())
         sentence += (sentence.isEmpty() ? QString() : QStringLiteral(" · ")) + assumed;
@@ -309,6 +308,7 @@ void AnswerStrip::clear()
         label->say({});
         label->setToolTip({});
     }
+    verdictWords_.clear();
     verdict_->clear();
     showPlate({}, false);
     ruler_->setAnswer({});
@@ -333,7 +333,7 @@ void AnswerStrip::showRuler()
 
 QString AnswerStrip::text() const
 {
-    QStringList lines{quantity_->text() + " " + value_->text() + " " + verdict_->text(), sentence_->text()};
+    QStringList lines{quantity_->text() + " " + value_->text() + " " + verdictWords_, sentence_->text()};
     for (const FindingLink* finding : findings_)
         if (!finding->text().isEmpty()) lines << finding->text();
     return lines.join('\n');
@@ -356,12 +356,22 @@ void AnswerStrip::fitPresented(QFont& font) const
     if (wanted > room && room > 0) font.setPointSizeF(font.pointSizeF() * room / wanted);
 }
 
+void AnswerStrip::showVerdict()
+{
+    constexpr double mostPresented = 0.35;  // of the strip
+    verdict_->setText(verdictWords_);
+    const QString sign = verdictWords_.section(' ', 0, 0);
+    if (presenting_ && sign.size() == 1 && verdict_->sizeHint().width() > mostPresented * width())
+        verdict_->setText(sign);
+}
+
 /// The height of the strip is the same with and without an answer.
 void AnswerStrip::applyFonts()
 {
     QFont large = scaled(font(), valueSize);
     large.setWeight(QFont::DemiBold);
     verdict_->setFont(scaled(font(), presenting_ ? 1.5 : 1.25));
+    showVerdict();
     if (presenting_) fitPresented(large);
     value_->setFont(large);
     const int first = std::max({QFontMetrics(large).height() + fontMetrics().height(),
@@ -370,12 +380,19 @@ void AnswerStrip::applyFonts()
     whole_px_ = first + 2 * (fontMetrics().height() + 4) + around + 6;
     setMinimumHeight(first + around);
     setMaximumHeight(whole_px_);
+    showRuler();
     updateGeometry();
 }
 
 QSize AnswerStrip::sizeHint() const
 {
     return {QFrame::sizeHint().width(), whole_px_};
+}
+
+QSize AnswerStrip::minimumSizeHint() const
+{
+    constexpr int least_chars = 40;
+    return {fontMetrics().averageCharWidth() * least_chars, QFrame::minimumSizeHint().height()};
 }
 
 void AnswerStrip::resizeEvent(QResizeEvent* event)
@@ -386,8 +403,10 @@ void AnswerStrip::resizeEvent(QResizeEvent* event)
     for (std::size_t i = 0; i < findings_.size(); ++i)
         findings_[i]->setVisible(!low && (i == 0 || !findings_[i]->text().isEmpty()));
     // Badge and value have precedence: the ruler is shown only with spare space.
-    showRuler();
-    if (presenting_) applyFonts();
+    if (presenting_)
+        applyFonts();
+    else
+        showRuler();
 }
 
 void AnswerStrip::changeEvent(QEvent* event)

@@ -77,6 +77,7 @@ public:
     QString text() const;                 ///< all texts without the notes
 
     QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;  ///< however long the value is: the window sets the width
 
 signals:
     void placeRequested(const lathelier::report::Place& place);  ///< request to show the place of a clicked finding
@@ -89,6 +90,7 @@ protected:
 private:
     void applyFonts();
     void fitPresented(QFont& font) const;
+    void showVerdict();
     void showRuler();
     void showPlate(const std::optional<Verdict>& verdict, bool known);
 
@@ -101,7 +103,8 @@ private:
     std::array<FindingLink*, 3> findings_{};
     std::optional<report::Answer> answer_;
     bool presenting_ = false;
-    int whole_px_ = 0;  ///< height with all lines; a low panel shows only the first
+    QString verdictWords_;  ///< the plate shows its sign alone where they do not fit
+    int whole_px_ = 0;      ///< height with all lines; a low panel shows only the first
 };
 
 }  // namespace lathelier

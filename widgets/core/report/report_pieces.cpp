@@ -130,12 +130,12 @@ public:
     Piece operator()(const report::ColourMap& map) const { return drawing(report::toSvg(map, language_)); }
     Piece operator()(const report::Picture& picture) const
     {
-        if (picture.png.rfind("<svg", 0) == 0) return drawing(picture.png);
         Piece piece;
-        piece.kind = Piece::Kind::Png;
+        piece.kind = picture.isSvg() ? Piece::Kind::Svg : Piece::Kind::Png;
         piece.data = picture.png;
-        piece.html = "<p style='color:#52606d;'>" + caption(picture.title) + "</p>";
-        piece.narrow = !picture.is_wide;
+        piece.narrow = picture.isHalf();
+        if (!picture.isSvg() || piece.narrow)
+            piece.html = "<p style='color:#52606d;'>" + caption(picture.title) + "</p>";
         return piece;
     }
     Piece operator()(const Notes& notes) const

@@ -1,0 +1,159 @@
+// What each panel of the sample shows first, beside what it looked like when someone last approved it:
+// tests/data/baselines/hero_*.png, means over blocks of the window's content at 1280 × 800. 3-D views are drawn, by
+// software. LATHELIER_WRITE_BASELINES=1 writes them anew, and the pictures themselves into the folder of temporary
+// files; look at those before the baselines are committed. Presenting: the value whole and nothing changed after it.
+#include <QDir>
+#include <QFontMetrics>
+#include <QLabel>
+#include <QScopeGuard>
+#include <QSplitter>
+#include <QTest>
+
+#include "app/gui/panels.h"
+#include "app/gui/theme.h"
+#include "engine/sample/sample_files.h"
+#include "tests/app/window_fixture.h"
+#include "tests/widgets/core/picture_difference.h"
+#include "widgets/core/panel/primary_views.h"
+
+namespace lathelier {
+namespace {
+
+constexpr double largestMean = 2.5;  // of all blocks, in levels of 255
+constexpr int patience_ms = 180000;
+constexpr int settling_ms = 700;  // a 3-D view draws its full set at rest
+
+}  // namespace
+
+class HeroLooksTest : public QObject, private WindowFixture {
+    Q_OBJECT
+
+    void show(PanelDock& panel)
+    {
+        panel.showAction().trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(panel.madePanel() && !panel.madePanel()->isBusy(), patience_ms);
+        QTest::qWait(settling_ms);
+    }
+    /// The widgets that ask for more than the window has, for the message of a failure.
+    static QString widest(const QWidget& window)
+    {
+        QStringList found;
+        for (const QWidget* widget : window.findChildren<QWidget*>())
+            if (widget->isVisible() && widget->minimumSizeHint().width() > 700)
+                found << QString("%1 %2 %3")
+                             .arg(widget->metaObject()->className(), widget->objectName())
+                             .arg(widget->minimumSizeHint().width());
+        return QString("%1×%2: ").arg(window.width()).arg(window.height()) + found.join(", ");
+    }
+    static QImage picture(PanelDock& panel) { return panel.panel().grab().toImage(); }
+
+private slots:
+    void initTestCase()
+    {
+        prepareSettings();
+        new Theme(*qApp);
+        QFont font("DejaVu Sans");
+        font.setPointSizeF(10);
+        QApplication::setFont(font);
+        sample::writeSample(folder_.path().toStdString());
+        languages_.use("en");
+        session_ = std::make_unique<Session>();
+        session_->open(folder_.filePath(QString::fromStdString(sample::sampleFileNames().back())));
+        window_ = std::make_unique<MainWindow>(*session_, languages_, panelTable());
+        window_->resize(1280, 800);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    }
+    void cleanupTestCase() { end(); }
+
+    void looksAsApproved_data()
+    {
+        QTest::addColumn<QString>("panel");
+        for (const PanelDock* dock : window_->docks())
+            QTest::newRow(dock->facts().id.c_str()) << QString::fromStdString(dock->facts().id);
+    }
+    void looksAsApproved()
+    {
+        QFETCH(QString, panel);
+        PanelDock& shown = *dock(panel.toStdString());
+        window_->resize(1280, 800);
+        show(shown);
+        QCOMPARE(window_->size(), QSize(1280, 800));
+        if (panel == "training") shown.panel().findChild<PrimaryViews*>()->setFocus();  // no caret that blinks
+        const QString path = QStringLiteral(LATHELIER_SOURCE_DIR "/tests/data/baselines/hero_") + panel + ".png";
+        const QImage whole = picture(shown), seen = shrunk(whole);
+        const QString written = QDir::tempPath() + "/lathelier_hero_" + panel + ".png";
+        if (qEnvironmentVariableIsSet("LATHELIER_WRITE_BASELINES")) {
+            QVERIFY(seen.save(path));
+            whole.save(written);
+        }
+        const QImage approved(path);
+        QVERIFY2(!approved.isNull(), qPrintable(path));
+        QCOMPARE(seen.size(), approved.size());
+        const PictureDifference found = differenceOfShrunk(seen, approved);
+        if (found.mean > largestMean) whole.save(written);
+        QVERIFY2(found.mean <= largestMean, qPrintable(QString("mean %1").arg(found.mean)));
+        // The tolerance separates it from another view.
+        auto* views = shown.findChild<PrimaryViews*>();
+        if (!views || views->keys().size() < 2 || !shown.panel().isCurrent()) return;
+        const QString first = views->primary();
+        views->setPrimary(views->keys()[1] == first ? views->keys()[0] : views->keys()[1]);
+        QTest::qWait(settling_ms);
+        const PictureDifference other = differenceOfShrunk(shrunk(picture(shown)), approved);
+        views->setPrimary(first);
+        QVERIFY2(other.mean > largestMean, qPrintable(QString("hides another view: %1").arg(other.mean)));
+    }
+
+    void presentsTheValueWholeAndGoesBack_data() { looksAsApproved_data(); }
+    void presentsTheValueWholeAndGoesBack()
+    {
+        QFETCH(QString, panel);
+        PanelDock& shown = *dock(panel.toStdString());
+        for (const QSize& size : {QSize(1280, 800), QSize(1024, 768)}) {
+            // Full screen already, so that it is not made as large as the screen of the test.
+            window_->setWindowState(Qt::WindowFullScreen);
+            window_->resize(size);
+            show(shown);
+            QTRY_COMPARE(window_->size(), size);
+            const QSize before = window_->size();
+            const auto sizes = [&] {
+                QStringList found;
+                for (const QSplitter* splitter : shown.findChildren<QSplitter*>())
+                    for (int i = 0; i < splitter->count() && splitter->isVisible(); ++i)
+                        found << QString("%1 %2 %3×%4")
+                                     .arg(splitter->objectName(), splitter->widget(i)->metaObject()->className())
+                                     .arg(splitter->widget(i)->width())
+                                     .arg(splitter->widget(i)->height());
+                return found;
+            };
+            const QStringList parts = sizes();
+            auto* views = shown.findChild<PrimaryViews*>();
+            const QString first = views ? views->primary() : QString();
+            window_->setPresenting(true);
+            const auto back = qScopeGuard([this] { window_->setPresenting(false); });
+            QTest::qWait(300);
+            QVERIFY2(window_->size() == size, qPrintable(widest(*window_)));
+            if (const auto* value = shown.findChild<QLabel*>("headline"); value && value->isVisible())
+                QVERIFY2(QFontMetrics(value->font()).horizontalAdvance(value->text()) <= value->width(),
+                         qPrintable(value->text()));
+            if (views && views->keys().size() > 1 && shown.panel().isCurrent()) {
+                QTest::keyClick(window_->focusWidget(), Qt::Key_Right);
+                QVERIFY(views->primary() != first);
+                QTest::keyClick(window_->focusWidget(), Qt::Key_Left);
+                QCOMPARE(views->primary(), first);
+            }
+            if (qEnvironmentVariableIsSet("LATHELIER_WRITE_BASELINES"))
+                window_->grab().save(QDir::tempPath() +
+                                     QString("/lathelier_presenter_%1_%2.png").arg(panel).arg(size.width()));
+            window_->setPresenting(false);
+            QTRY_COMPARE(window_->size(), before);
+            QTRY_COMPARE(sizes(), parts);
+        }
+        window_->setWindowState(Qt::WindowNoState);
+    }
+};
+
+}  // namespace lathelier
+
+QTEST_MAIN(lathelier::HeroLooksTest)
+#include "hero_looks_test.moc"

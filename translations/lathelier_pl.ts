@@ -16371,6 +16371,10 @@
         <source>dossier.json, which names all files: SHA-256 {sha256}.</source>
         <translation>dossier.json, który wymienia wszystkie pliki: SHA-256 {sha256}.</translation>
     </message>
+    <message>
+        <source>Motion of the workpiece axis {total:1} ± {U:1} µm, limit {limit} µm · section {section}</source>
+        <translation>Ruch osi przedmiotu {total:1} ± {U:1} µm, granica {limit} µm · przekrój {section}</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

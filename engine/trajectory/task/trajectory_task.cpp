@@ -1,5 +1,6 @@
 #include "engine/trajectory/task/trajectory_task.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -31,7 +32,8 @@ struct Begun {
 Begun begin(TrajectoryOutcome& outcome, const project::PanelState& state, Stores& stores, task::Sources& sources,
             const Progress& progress)
 {
-    const auto question = fromValues<TrajectoryQuestion>(state.parameters);
+    outcome.question = fromValues<TrajectoryQuestion>(state.parameters);
+    const TrajectoryQuestion& question = outcome.question;
     form::checkFilter(question.no_filter, question.parameters.form);
     Begun begun{question.parameters, takeRecords(state, stores, sources, progress)};
     outcome.records = begun.records.files;
@@ -49,9 +51,50 @@ void finish(TrajectoryOutcome& outcome, const project::PanelState& state, const 
     outcome.record(state, sources, outcome.trajectory ? outcome.trajectory->notes : Notes{});
 }
 
-/// The notes of the files as well, in place of those of the result alone.
-report::Section withNotes(report::Section summary, const TrajectoryOutcome& outcome)
+/// None without a limit; undecided where only averages are known.
+std::optional<Verdict> motionVerdict(const TrajectoryOutcome& outcome, const TrajectorySection& section)
 {
+    const std::optional<double>& limit_um = outcome.question.error_motion_limit_um;
+    if (!limit_um) return std::nullopt;
+    if (!std::isfinite(section.spindle.total_um)) return Verdict::Undecided;
+    return judge(section.spindle.total_um, section.spindle.total_expanded_uncertainty_um, *limit_um,
+                 outcome.question.parameters.form.decision);
+}
+
+/// The worst of all sections.
+std::optional<Verdict> motionVerdict(const TrajectoryOutcome& outcome)
+{
+    std::optional<Verdict> worst;
+    for (const TrajectorySection& section : outcome.trajectory->sections)
+        if (const auto found = motionVerdict(outcome, section)) worst = worst ? worse(*worst, *found) : *found;
+    return worst;
+}
+
+/// The roundness of the worst section; with a limit of the motion that of the section where it is largest.
+report::Answer answerOf(const TrajectoryOutcome& outcome, const Language& language)
+{
+    report::Answer told = answer(*outcome.trajectory, language);
+    const std::optional<double>& limit_um = outcome.question.error_motion_limit_um;
+    const std::vector<TrajectorySection>& sections = outcome.trajectory->sections;
+    if (!limit_um || sections.empty()) return told;
+    const TrajectorySection& most = *std::max_element(
+        sections.begin(), sections.end(),
+        [](const TrajectorySection& a, const TrajectorySection& b) { return a.spindle.total_um < b.spindle.total_um; });
+    told.findings.push_back(
+        {LT_TEXT("Engine", "Motion of the workpiece axis {total:1} ± {U:1} µm, limit {limit} µm · section {section}"),
+         {{"total", most.spindle.total_um},
+          {"U", most.spindle.total_expanded_uncertainty_um},
+          {"limit", *limit_um},
+          {"section", std::int64_t{most.section}}},
+         motionVerdict(outcome),
+         {}});
+    return told;
+}
+
+/// The answer with what was judged of the motion, and the notes of the files as well as those of the result alone.
+report::Section completed(report::Section summary, const TrajectoryOutcome& outcome, const Language& language)
+{
+    summary.blocks.front() = answerOf(outcome, language);
     if (!outcome.trajectory->notes.empty()) summary.blocks.pop_back();
     if (!outcome.notes.empty()) summary.blocks.emplace_back(outcome.notes);
     return summary;
@@ -60,9 +103,17 @@ report::Section withNotes(report::Section summary, const TrajectoryOutcome& outc
 report::Document reportOf(const TrajectoryOutcome& outcome, const Language& language)
 {
     report::Document document = trajectoryReport(*outcome.trajectory, outcome.sources.inputs, language);
-    document.sections.front() = withNotes(std::move(document.sections.front()), outcome);
+    document.sections.front() = completed(std::move(document.sections.front()), outcome, language);
     document.synthetic = outcome.sources.synthetic;
     return document;
+}
+
+Json jsonOf(const TrajectoryOutcome& outcome)
+{
+    Json json = toJson(*outcome.trajectory);
+    const std::optional<Verdict> motion = motionVerdict(outcome);
+    json["error_motion_verdict"] = motion ? Json(key(*motion)) : Json();
+    return json;
 }
 
 /// What does not depend on whether the sections or the motion is asked for. `Outcome`: of either task.
@@ -74,22 +125,12 @@ task::Outcome commonOf(const std::shared_ptr<const Outcome>& outcome)
     all.notes = outcome->notes;
     if (!outcome->trajectory) return all;
     all.verdict = outcome->trajectory->verdict;
-    all.json = [outcome] { return toJson(*outcome->trajectory); };
+    if (const auto motion = motionVerdict(*outcome)) all.verdict = all.verdict ? worse(*all.verdict, *motion) : *motion;
+    all.json = [outcome] { return jsonOf(*outcome); };
     all.writers[imagesExport] = [outcome](const std::string& path, const Language&, const Progress&) {
         writeImages(path, *outcome->trajectory);
     };
     return all;
-}
-
-/// Of the chosen section; undecided where only averages are known.
-std::optional<Verdict> verdictOf(const MotionOutcome& outcome)
-{
-    const TrajectorySection* const section = outcome.chosenSection();
-    const std::optional<double>& limit_um = outcome.question.error_motion_limit_um;
-    if (!section || !limit_um) return std::nullopt;
-    if (!std::isfinite(section->spindle.total_um)) return Verdict::Undecided;
-    return judge(section->spindle.total_um, section->spindle.total_expanded_uncertainty_um, *limit_um,
-                 outcome.question.of_record.parameters.form.decision);
 }
 
 report::Answer answerOf(const MotionOutcome& outcome)
@@ -98,12 +139,10 @@ report::Answer answerOf(const MotionOutcome& outcome)
     if (!section) return {};
     report::Answer answer = motionAnswer(*outcome.trajectory, *section);
     answer.upper_limit = outcome.question.error_motion_limit_um;
-    answer.verdict = verdictOf(outcome);
+    answer.verdict = motionVerdict(outcome, *section);
     return answer;
 }
 
-/// `Question`: of either task.
-template <class Question>
 task::Task taskOfRecords()
 {
     task::Task made;
@@ -111,7 +150,7 @@ task::Task taskOfRecords()
     made.summary = "Evaluate probe records: trajectories, image of the surface, roundness, longitudinal section.";
     made.question = "roundness";
     made.inputs = {recordInput("")};
-    task::askFor<Question>(made);
+    task::askFor<TrajectoryQuestion>(made);
     return made;
 }
 
@@ -129,17 +168,6 @@ const std::vector<Field<TrajectoryQuestion>>& fieldsOf(const TrajectoryQuestion*
     static const auto all = [] {
         std::vector<Field<Q>> made{form::noFilterField(&Q::no_filter)};
         for (const FieldInfo& info : infos<TrajectoryParameters>()) made.push_back(within(&Q::parameters, info.key));
-        return made;
-    }();
-    return all;
-}
-
-const std::vector<Field<MotionQuestion>>& fieldsOf(const MotionQuestion*)
-{
-    using Q = MotionQuestion;
-    static const auto all = [] {
-        std::vector<Field<Q>> made;
-        for (const FieldInfo& info : infos<TrajectoryQuestion>()) made.push_back(within(&Q::of_record, info.key));
         made.push_back(field(
             "error_motion_limit_um", &Q::error_motion_limit_um, Range{0.001, 1e5},
             Label{LT_TEXT("Engine", "Error motion allowed"),
@@ -169,7 +197,6 @@ MotionOutcome answerMotion(const project::PanelState& state, Stores& stores, tas
                            const Progress& progress)
 {
     MotionOutcome outcome;
-    outcome.question = fromValues<MotionQuestion>(state.parameters);
     const Begun begun = begin(outcome, state, stores, sources, progress.part(0, recordReadingShare));
     if (const auto* const record = std::get_if<io::ProbeRecord>(&outcome.records.front()->file.record))
         outcome.time_signals = stores.of<TimeSignals>()->find(
@@ -189,9 +216,9 @@ MotionOutcome answerMotion(const project::PanelState& state, Stores& stores, tas
 task::Outcome outcomeOf(const std::shared_ptr<const TrajectoryOutcome>& outcome)
 {
     task::Outcome all = commonOf(outcome);
-    all.answer = [outcome](const Language& language) { return answer(*outcome->trajectory, language); };
+    all.answer = [outcome](const Language& language) { return answerOf(*outcome, language); };
     all.summary = [outcome](const Language& language) {
-        return withNotes(trajectorySummary(*outcome->trajectory, language), *outcome);
+        return completed(trajectorySummary(*outcome->trajectory, language), *outcome, language);
     };
     all.report = [outcome](const Language& language) { return reportOf(*outcome, language); };
     all.writers[sectionsExport] = [outcome](const std::string& path, const Language&, const Progress&) {
@@ -208,7 +235,9 @@ task::Outcome outcomeOf(const std::shared_ptr<const TrajectoryOutcome>& outcome)
 task::Outcome outcomeOf(const std::shared_ptr<const MotionOutcome>& outcome)
 {
     task::Outcome all = commonOf(outcome);
-    all.verdict = verdictOf(*outcome);  // not that of the sections' roundness
+    // Of the motion in the section that is shown, not of the roundness.
+    const TrajectorySection* const section = outcome->chosenSection();
+    all.verdict = section ? motionVerdict(*outcome, *section) : std::nullopt;
     all.answer = [outcome](const Language&) { return answerOf(*outcome); };
     if (outcome->problem)
         all.errors.push_back(*outcome->problem);
@@ -223,7 +252,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const MotionOutcome>& outcome)
 const task::Task& trajectoryTask()
 {
     static const task::Task task = [] {
-        task::Task made = taskOfRecords<TrajectoryQuestion>();
+        task::Task made = taskOfRecords();
         made.title = LT_TEXT("Engine", "Longitudinal");
         made.exports = {
             {sectionsExport, "Write the table of the sections as FILE.csv.",
@@ -244,7 +273,7 @@ const task::Task& trajectoryTask()
 const task::Task& motionTask()
 {
     static const task::Task task = [] {
-        task::Task made = taskOfRecords<MotionQuestion>();
+        task::Task made = taskOfRecords();
         made.title = LT_TEXT("Engine", "Trajectory");
         made.exports = {imagesAsTable(LT_TEXT("Engine", "Trajectories and images of all sections (CSV)…"))};
         made.run = [](const project::PanelState& state, const task::Wanted&, Stores& stores, task::Sources& sources,

@@ -12,19 +12,12 @@
 namespace lathelier::trajectory {
 
 struct TrajectoryQuestion {
-    bool no_filter = false;  ///< the default, stated explicitly: no filter may stand beside it
+    bool no_filter = false;                       ///< the default, stated explicitly: no filter may stand beside it
+    std::optional<double> error_motion_limit_um;  ///< of the total error motion of probe X3; none: it is not judged
     TrajectoryParameters parameters;
 };
 
 const std::vector<Field<TrajectoryQuestion>>& fieldsOf(const TrajectoryQuestion*);
-
-/// The motion of the workpiece axis against its limit as well.
-struct MotionQuestion {
-    TrajectoryQuestion of_record;
-    std::optional<double> error_motion_limit_um;  ///< of the total error motion of probe X3; none: nothing is judged
-};
-
-const std::vector<Field<MotionQuestion>>& fieldsOf(const MotionQuestion*);
 
 struct TrajectoryOutcome : task::Answered {
     std::vector<RecordPtr> records;                      ///< as read, in the order of the inputs
@@ -33,12 +26,13 @@ struct TrajectoryOutcome : task::Answered {
     /// worst.
     std::optional<std::size_t> section;
 
+    TrajectoryQuestion question;
+
     const TrajectorySection* chosenSection() const;  ///< nullptr: there is none
 };
 
 struct MotionOutcome : TrajectoryOutcome {
     std::shared_ptr<const std::vector<TimeSignal>> time_signals;  ///< of the first record; null for averages
-    MotionQuestion question;
     std::optional<Error> problem;  ///< why the records that were read have no answer; their signals show it
 };
 

@@ -198,9 +198,7 @@ TEST_F(RecordTasks, TheNumbersOfTheMotionAreThoseOfTheTrajectory)
     const Json json = resultOf(trajectoryTask(), state_, sources_, whole);
     set(state_.parameters, sectionKey, std::int64_t{2});
     const task::Outcome motion = run(motionTask());
-    Json same = resultOf(motionTask(), state_, sources_, motion);
-    same["parameters"].erase("error_motion_limit_um");  // of the motion alone
-    EXPECT_EQ(same, json);
+    EXPECT_EQ(resultOf(motionTask(), state_, sources_, motion), json);
 }
 
 TEST_F(RecordTasks, TheMotionIsJudgedByItsOwnLimit)
@@ -219,6 +217,14 @@ TEST_F(RecordTasks, TheMotionIsJudgedByItsOwnLimit)
         EXPECT_EQ(judged.answer({}).verdict, expected);
         EXPECT_EQ(judged.answer({}).upper_limit, limit_um);
     }
+    // The verb says it as well: the worst of all sections, beside the roundness.
+    set(state_.parameters, "tolerance_um", 1000.0);
+    const task::Outcome whole = run(trajectoryTask());
+    EXPECT_EQ(whole.verdict, Verdict::Fail);
+    const Json json = resultOf(trajectoryTask(), state_, sources_, whole);
+    EXPECT_EQ(json["verdict"], "pass");
+    EXPECT_EQ(json["error_motion_verdict"], "fail");
+    EXPECT_EQ(whole.answer({}).findings.back().verdict, Verdict::Fail);
     set(state_.parameters, "error_motion_limit_um", total_um + *told.expanded_uncertainty / 2);
     set(state_.parameters, "decision", std::string("guarded"));
     EXPECT_EQ(run(motionTask()).verdict, Verdict::Undecided);

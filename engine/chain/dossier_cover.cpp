@@ -68,6 +68,7 @@ std::vector<report::Block> picturesOf(const Dossier& dossier, const Language& la
             told.push_back(step);
     if (told.size() > mostPictures) std::erase_if(told, [](const ChainStep* step) { return step->id == "draw"; });
     std::vector<report::Block> pictures;
+    pictures.reserve(told.size());
     for (const ChainStep* step : told)
         pictures.emplace_back(
             report::Picture{fill(text(LT_TEXT("Engine", "{step} · {state}"), language),

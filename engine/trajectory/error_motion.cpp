@@ -44,7 +44,7 @@ double harmonicAt(const Eigen::Vector3d& c, double angle_deg)
     return c[0] + c[1] * std::cos(rad_per_deg * angle_deg) + c[2] * std::sin(rad_per_deg * angle_deg);
 }
 
-constexpr double coverage = 2;         ///< k
+constexpr double coverageFactor = 2;   ///< k
 constexpr double fewestForSpread = 3;  ///< revolutions
 
 /// `variance` of the values at each angle over so many revolutions as `counts` says; NaN: not known.
@@ -63,11 +63,11 @@ void addUncertainties(ErrorMotion& motion, const std::vector<double>& variance, 
     }
     if (known == 0) return;
     const double of_means = variance[low] / counts[low] + variance[high] / counts[high];
-    motion.synchronous_expanded_uncertainty_um = std::hypot(coverage * std::sqrt(of_means), form_um);
+    motion.synchronous_expanded_uncertainty_um = std::hypot(coverageFactor * std::sqrt(of_means), form_um);
     const double revolutions = *std::max_element(counts.begin(), counts.end());
     const double of_extreme = std::numbers::pi / std::sqrt(6.0) / std::sqrt(2 * std::log(revolutions));
     motion.total_expanded_uncertainty_um =
-        std::hypot(coverage * std::numbers::sqrt2 * of_extreme * std::sqrt(sum / known), form_um);
+        std::hypot(coverageFactor * std::numbers::sqrt2 * of_extreme * std::sqrt(sum / known), form_um);
 }
 
 }  // namespace

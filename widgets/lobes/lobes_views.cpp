@@ -145,7 +145,7 @@ void LobesViews::showSwing()
     work.scan =
         std::make_shared<const Scan>(meshOf(skin, shownShare * largestRadius_mm(skin), Eigen::Isometry3d::Identity()));
     work.values = std::make_shared<const std::vector<float>>(skin.values);
-    report::DeviationColours colours{report::niceLimit(um_per_mm * shape.largest_mm_N())};
+    report::DeviationColours colours{report::niceLimit(um_per_mm * shape.largestDeflection())};
     colours.steps = report::contourSteps;
     work_->setScale({LT_TEXT("Engine", "Deflection per force"), LT_TEXT("Engine", "µm/N")});
     work_->setColours(colours);

@@ -23,12 +23,12 @@ const Complex& largestOf(const std::vector<Complex>& values)
 
 }  // namespace
 
-double ForcedShape::largest_mm_N() const
+double ForcedShape::largestDeflection() const
 {
     return std::abs(largestOf(deflection_mm_N));
 }
 
-double ForcedShape::phase_rad() const
+double ForcedShape::phaseBehindForce() const
 {
     return std::arg(largestOf(deflection_mm_N));
 }
@@ -66,8 +66,8 @@ Skin swingingSkin(const Shaft& shaft, const ForcedShape& shape, double phase_rad
     std::vector<Eigen::Vector2d> line{{0, 0}};
     for (std::size_t i = 0; i < contour.z_mm.size(); ++i) line.emplace_back(contour.z_mm[i], contour.radius_mm[i]);
     line.emplace_back(contour.z_mm.back(), 0);
-    const Complex turned = std::polar(1.0, -shape.phase_rad());
-    const double largest_mm_N = shape.largest_mm_N();
+    const Complex turned = std::polar(1.0, -shape.phaseBehindForce());
+    const double largest_mm_N = shape.largestDeflection();
 
     Skin skin;
     skin.stations = stationsAlong(line, shape.z_mm.back() / stationsOverLength);

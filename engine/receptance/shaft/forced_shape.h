@@ -15,8 +15,8 @@ struct ForcedShape {
     std::vector<double> z_mm;              ///< evenly from the free end to the chuck face
     std::vector<Complex> deflection_mm_N;  ///< per force, at each z
 
-    double largest_mm_N() const;  ///< the largest |deflection|
-    double phase_rad() const;     ///< of the largest deflection behind the force
+    double largestDeflection() const;  ///< the largest |deflection|, mm/N
+    double phaseBehindForce() const;   ///< of the largest deflection, rad
 };
 
 /// Of the shaft as heldShaftReceptance() holds it. Precondition: its response is known at that frequency, > 0. Errors:

@@ -190,7 +190,7 @@ TEST(ForcedShape, SwingsAsAClosedSurfaceOneMillimetreWide)
     EXPECT_EQ(skin.stations.front().radius_mm, 0);
     EXPECT_EQ(skin.stations.back().radius_mm, 0);
     EXPECT_NEAR(skin.shift_mm.front().x(), 1, 1e-6);  // at the free end, below the second mode
-    EXPECT_NEAR(skin.values.front(), 1000 * shape.largest_mm_N(), 1e-3 * shape.largest_mm_N() * 1000);
+    EXPECT_NEAR(skin.values.front(), 1000 * shape.largestDeflection(), 1e-3 * shape.largestDeflection() * 1000);
     EXPECT_NEAR(skin.shift_mm.back().x(), 0, 1e-6);  // at the rigid chuck
     const Skin later = swingingSkin(stepped, shape, std::numbers::pi);
     EXPECT_NEAR(later.shift_mm.front().x(), -1, 1e-6);

@@ -16375,6 +16375,14 @@
         <source>Motion of the workpiece axis {total:1} ± {U:1} µm, limit {limit} µm · section {section}</source>
         <translation>Ruch osi przedmiotu {total:1} ± {U:1} µm, granica {limit} µm · przekrój {section}</translation>
     </message>
+    <message>
+        <source>Motion of the workpiece axis: only averages are known, limit {limit} µm</source>
+        <translation>Ruch osi przedmiotu: znane są tylko średnie, granica {limit} µm</translation>
+    </message>
+    <message>
+        <source>Motion of the workpiece axis {total:1} µm, limit {limit} µm · section {section}</source>
+        <translation>Ruch osi przedmiotu {total:1} µm, granica {limit} µm · przekrój {section}</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

@@ -273,13 +273,6 @@ Json understandingOf(const Dossier& dossier)
     return whole;
 }
 
-std::vector<report::Section> Dossier::sections() const
-{
-    std::vector<report::Section> all;
-    for (const ChainStep& step : steps) all.insert(all.end(), step.sections.begin(), step.sections.end());
-    return all;
-}
-
 void add(Dossier& dossier, ChainStep step, const Json& result)
 {
     for (Note note : step.notes) {

@@ -82,11 +82,10 @@ struct Dossier {
     const ChainStep* step(const std::string& id) const;  ///< null: not found
     std::optional<Error> error() const;                  ///< of the failed step
     std::optional<Verdict> settledVerdict() const;       ///< undecided where a step did not understand what counts
-    bool isCorrected(const ChainStep& step) const;  ///< out of tolerance as programmed, and a correction was written
+    bool isCorrected(const ChainStep& step) const;       ///< its program was corrected, and the corrected one checked
     /// The worst of the copy's verdict and those of the steps, a failed step among them; no step that is sound gives
     /// one to a chain without a copy.
     std::optional<Verdict> coverVerdict() const;
-    std::vector<report::Section> sections() const;  ///< of the reports of all steps
 };
 
 inline constexpr const char* dossierSchema = "lathelier-dossier";

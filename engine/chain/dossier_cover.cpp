@@ -19,24 +19,23 @@ std::string annexOf(const ChainStep& step)
     return "annex_" + step.id + ".html";
 }
 
+/// Null: it has none, or was not run by this process.
 template <class Block>
-std::vector<const Block*> blocksOf(const ChainStep& step)
+const Block* firstOf(const ChainStep& step)
 {
-    std::vector<const Block*> found;
     for (const report::Section& section : step.sections)
         for (const report::Block& block : section.blocks)
-            if (const auto* const one = std::get_if<Block>(&block)) found.push_back(one);
-    return found;
+            if (const auto* const found = std::get_if<Block>(&block)) return found;
+    return nullptr;
 }
 
 /// Its answer with U and limit; empty: it was not run by this process.
 std::string wordsOf(const ChainStep& step, const Language& language)
 {
-    const auto answers = blocksOf<report::Answer>(step);
-    if (answers.empty()) return {};
-    const report::Answer& answer = *answers.front();
-    std::string words = report::valueLine(answer, language);
-    if (answer.lower_limit || answer.upper_limit) words += ", " + report::limitText(answer, language);
+    const auto* const answer = firstOf<report::Answer>(step);
+    if (!answer) return {};
+    std::string words = report::valueLine(*answer, language);
+    if (answer->lower_limit || answer->upper_limit) words += ", " + report::limitText(*answer, language);
     return words;
 }
 
@@ -64,17 +63,15 @@ std::vector<report::Block> picturesOf(const Dossier& dossier, const Language& la
 {
     std::vector<const ChainStep*> told;
     for (const char* id : {"recognise", "draw", "speeds", "program", "deflection", "copy", "proof"})
-        if (const ChainStep* const step = dossier.step(id); step && !blocksOf<report::Plot>(*step).empty())
-            told.push_back(step);
+        if (const ChainStep* const step = dossier.step(id); step && firstOf<report::Plot>(*step)) told.push_back(step);
     if (told.size() > mostPictures) std::erase_if(told, [](const ChainStep* step) { return step->id == "draw"; });
     std::vector<report::Block> pictures;
     pictures.reserve(told.size());
     for (const ChainStep* step : told)
-        pictures.emplace_back(
-            report::Picture{fill(text(LT_TEXT("Engine", "{step} · {state}"), language),
-                                 {{"step", titleOf(step->id)}, {"state", shortOf(*step)}}, language),
-                            report::toSvg(*blocksOf<report::Plot>(*step).front(), language, report::Sheet::Half),
-                            report::Picture::Width::Half});
+        pictures.emplace_back(report::Picture{
+            fill(text(LT_TEXT("Engine", "{step} · {state}"), language),
+                 {{"step", titleOf(step->id)}, {"state", shortOf(*step)}}, language),
+            report::toSvg(*firstOf<report::Plot>(*step), language, report::Sheet::Half), report::Picture::Width::Half});
     return pictures;
 }
 

@@ -77,6 +77,13 @@ void addNormals(Scan& mesh)
 
 }  // namespace
 
+double Skin::largestRadius() const
+{
+    double radius_mm = 0;
+    for (const SkinStation& station : stations) radius_mm = std::max(radius_mm, station.radius_mm);
+    return radius_mm;
+}
+
 std::vector<SkinStation> stationsAlong(const std::vector<Eigen::Vector2d>& line_mm, double step_mm)
 {
     std::vector<Eigen::Vector2d> line;

@@ -27,6 +27,7 @@ struct Skin {
     std::vector<float> values;              ///< one for each vertex; NaN: not known
     std::vector<Eigen::Vector3f> shift_mm;  ///< of each vertex, in the frame of the axis (z along it); empty: none
 
+    double largestRadius() const;  ///< of its stations, mm
     std::size_t vertexCount() const { return stations.size() * static_cast<std::size_t>(angle_count); }
 };
 

@@ -60,10 +60,9 @@ Skin bentSkin(const WorkPlan& plan, const DeflectedShape& shape, const FinalCont
 
 double bendMagnification(const Skin& skin)
 {
-    double radius_mm = 0, shift_mm = 0;
-    for (const SkinStation& station : skin.stations) radius_mm = std::max(radius_mm, station.radius_mm);
+    double shift_mm = 0;
     for (const Eigen::Vector3f& shift : skin.shift_mm) shift_mm = std::max(shift_mm, static_cast<double>(shift.norm()));
-    return readableFactor(shownShare * radius_mm / std::max(shift_mm, 1e-9));
+    return readableFactor(shownShare * skin.largestRadius() / std::max(shift_mm, 1e-9));
 }
 
 }  // namespace lathelier::deflection

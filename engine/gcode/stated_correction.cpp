@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/core/interpolate.h"
+
 namespace lathelier::gcode {
 namespace {
 
@@ -34,13 +36,7 @@ void overlay(StatedCorrection& all, const StatedCorrection& run)
 
 double StatedCorrection::at_mm(double z) const
 {
-    if (z_mm.empty()) return 0;
-    const auto after = std::upper_bound(z_mm.begin(), z_mm.end(), z);
-    if (after == z_mm.begin()) return radius_mm.front();
-    if (after == z_mm.end()) return radius_mm.back();
-    const auto i = static_cast<std::size_t>(after - z_mm.begin());
-    const double share = (z - z_mm[i - 1]) / (z_mm[i] - z_mm[i - 1]);
-    return radius_mm[i - 1] + share * (radius_mm[i] - radius_mm[i - 1]);
+    return z_mm.empty() ? 0 : linearAt(z_mm, radius_mm, z);
 }
 
 StatedCorrection correctionOf(std::span<const CorrectedCorner> corners)

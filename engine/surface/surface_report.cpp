@@ -21,8 +21,7 @@ void addChatter(report::Answer& answer, const ImageMarks& image, const Language&
 {
     const ChatterMarks& chatter = *image.chatter_marks;
     answer.verdict_words = LT_TEXT("Engine", "chatter marks");
-    answer.values = {{"nu", fixed(chatter.nu, 4, language)},
-                     {"phase", fixed(chatter.phase_deg, 0, language)},
+    answer.values = {{"phase", fixed(chatter.phase_deg, 0, language)},
                      {"relative", fixed(chatter.relative_to_feed, 2, language)}};
     if (!chatter.frequency_hz) {
         answer.sentence = LT_TEXT("Engine",

@@ -2,28 +2,17 @@
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
-#include <numbers>
 
 #include "engine/core/units.h"
 #include "engine/receptance/frf_plots.h"
 #include "engine/stability/stability_report.h"
-#include "widgets/core/icons.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/view_frame.h"
 
 namespace lathelier::lobes_panel {
 namespace {
 
-constexpr int frame_ms = 50;
-constexpr int framesOfSwing = 40;
 constexpr double shownShare = 1.0 / 3;  ///< of the largest radius: the drawn amplitude
-
-double largestRadius_mm(const Skin& skin)
-{
-    double radius_mm = 0;
-    for (const SkinStation& station : skin.stations) radius_mm = std::max(radius_mm, station.radius_mm);
-    return radius_mm;
-}
 
 }  // namespace
 
@@ -38,7 +27,7 @@ LobesViews::LobesViews(QWidget* parent)
       swinging_(new QWidget),
       work_(new scene::SceneView),
       remark_(new QLabel),
-      play_(new QToolButton)
+      play_(new SwingButton("playSwing"))
 {
     lobes_->setObjectName("lobes");
     chatter_->setObjectName("chatterFrequency");
@@ -46,11 +35,6 @@ LobesViews::LobesViews(QWidget* parent)
     magnitude_->setObjectName("magnitude");
     candidates_->setObjectName("candidates");
     work_->setObjectName("lobesSwing");
-    play_->setObjectName("playSwing");
-    play_->setCheckable(true);
-    play_->setAutoRaise(true);
-    play_->setIcon(icon("play"));
-    play_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     auto* head = new QWidget;
     head->setProperty(ViewFrame::onlyLarge, true);
     auto* beside = new QHBoxLayout(head);
@@ -81,12 +65,9 @@ LobesViews::LobesViews(QWidget* parent)
         if (row >= 0 && static_cast<std::size_t>(row) < list.size())
             emit speedRequested(list[static_cast<std::size_t>(row)].speed_rpm);
     });
-    clock_.setInterval(frame_ms);
-    connect(&clock_, &QTimer::timeout, this, [this] {
-        tick_ = (tick_ + 1) % framesOfSwing;
+    connect(play_, &SwingButton::moved, this, [this] {
         if (work_->isVisible()) showSwing();
     });
-    connect(play_, &QToolButton::toggled, this, &LobesViews::play);
     connect(work_, &scene::SceneView::notWritten, this, &LobesViews::notWritten);
     for (plot::ChartView* chart : {lobes_, chatter_, parts_, magnitude_})
         connect(chart, &plot::PlotWidget::notWritten, this, &LobesViews::notWritten);
@@ -122,28 +103,16 @@ void LobesViews::show()
     showSwing();
 }
 
-void LobesViews::play(bool on)
-{
-    play_->setIcon(icon(on ? "pause" : "play"));
-    tick_ = 0;
-    if (on)
-        clock_.start();
-    else
-        clock_.stop();
-    showSwing();
-}
-
 /// At rest the work stands at its largest.
 void LobesViews::showSwing()
 {
     if (!outcome_ || !outcome_->swing || !work_->canDraw()) return;
     const receptance::ForcedShape& shape = *outcome_->swing;
-    const double phase_rad = 2 * std::numbers::pi * tick_ / framesOfSwing;
-    const Skin skin = receptance::swingingSkin(*outcome_->response.shaft, shape, phase_rad);
+    const Skin skin = receptance::swingingSkin(*outcome_->response.shaft, shape, play_->phaseOfSwing());
     scene::SceneObject work;
     work.name = tr("Work");
     work.scan =
-        std::make_shared<const Scan>(meshOf(skin, shownShare * largestRadius_mm(skin), Eigen::Isometry3d::Identity()));
+        std::make_shared<const Scan>(meshOf(skin, shownShare * skin.largestRadius(), Eigen::Isometry3d::Identity()));
     work.values = std::make_shared<const std::vector<float>>(skin.values);
     report::DeviationColours colours{report::niceLimit(um_per_mm * shape.largestDeflection())};
     colours.steps = report::contourSteps;
@@ -160,9 +129,7 @@ void LobesViews::retranslate()
 {
     primaryViews_->setTitle("lobes", tr("Lobes"));
     primaryViews_->setTitle("swing", tr("How the work swings"));
-    play_->setText(tr("Swing"));
-    play_->setToolTip(tr("Let the work swing as it chatters"));
-    play_->setAccessibleName(play_->toolTip());
+    play_->setWords(tr("Swing"), tr("Let the work swing as it chatters"));
     primaryViews_->setTitle("parts", tr("Real and imaginary"));
     primaryViews_->setTitle("magnitude", tr("Magnitude"));
     primaryViews_->setTitle("chatter", tr("Chatter frequency"));

@@ -3,14 +3,13 @@
 #pragma once
 
 #include <QLabel>
-#include <QTimer>
-#include <QToolButton>
 #include <QWidget>
 #include <memory>
 
 #include "engine/stability/task/lobes_task.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
+#include "widgets/core/panel/swing_button.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/scene/scene_view.h"
 
@@ -34,7 +33,6 @@ signals:
 
 private:
     void show();
-    void play(bool on);
     void showSwing();
 
     std::shared_ptr<const stability::LobesOutcome> outcome_;
@@ -47,9 +45,7 @@ private:
     QWidget* swinging_;  ///< the work, with its remark and button
     scene::SceneView* work_;
     QLabel* remark_;
-    QToolButton* play_;
-    QTimer clock_;
-    int tick_ = 0;
+    SwingButton* play_;
 };
 
 }  // namespace lathelier::lobes_panel

@@ -3,21 +3,13 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <cmath>
-#include <numbers>
 
 #include "engine/receptance/frf_plots.h"
 #include "engine/receptance/shaft/shaft_plots.h"
 #include "engine/receptance/shaft/shaft_report.h"
-#include "widgets/core/icons.h"
 #include "widgets/core/language.h"
 
 namespace lathelier::shaft_panel {
-namespace {
-
-constexpr int frame_ms = 40;
-constexpr int framesOfSwing = 50;
-
-}  // namespace
 
 ShaftViews::ShaftViews(QWidget* parent)
     : QWidget(parent),
@@ -28,7 +20,7 @@ ShaftViews::ShaftViews(QWidget* parent)
       parts_(new plot::ChartView),
       frequencies_(new CopyTable),
       buttons_(new QWidget),
-      play_(new QToolButton),
+      play_(new SwingButton("playShapes")),
       shaft_(new QPushButton),
       response_(new QPushButton)
 {
@@ -37,7 +29,6 @@ ShaftViews::ShaftViews(QWidget* parent)
     magnitude_->setObjectName("magnitude");
     parts_->setObjectName("realImaginary");
     frequencies_->setObjectName("frequencies");
-    play_->setObjectName("playShapes");
     shaft_->setObjectName("useShaft");
     response_->setObjectName("useResponse");
     primaryViews_->add("drawing", drawing_);
@@ -45,10 +36,6 @@ ShaftViews::ShaftViews(QWidget* parent)
     primaryViews_->add("magnitude", magnitude_);
     primaryViews_->add("parts", parts_);
     primaryViews_->add("frequencies", frequencies_);
-    play_->setCheckable(true);
-    play_->setAutoRaise(true);
-    play_->setIcon(icon("play"));
-    play_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     auto* row = new QHBoxLayout(buttons_);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(play_);
@@ -59,9 +46,7 @@ ShaftViews::ShaftViews(QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(primaryViews_, 1);
     layout->addWidget(buttons_);
-    clock_.setInterval(frame_ms);
-    connect(&clock_, &QTimer::timeout, this, &ShaftViews::swing);
-    connect(play_, &QToolButton::toggled, this, &ShaftViews::play);
+    connect(play_, &SwingButton::moved, this, &ShaftViews::swing);
     connect(shaft_, &QPushButton::clicked, this, &ShaftViews::shaftRequested);
     connect(response_, &QPushButton::clicked, this, &ShaftViews::responseRequested);
     connect(drawing_, &plot::ChartView::handleMoved, this,
@@ -97,27 +82,12 @@ void ShaftViews::show()
     swing();
 }
 
-void ShaftViews::play(bool on)
-{
-    play_->setIcon(icon(on ? "pause" : "play"));
-    tick_ = 0;
-    if (on)
-        clock_.start();
-    else
-        clock_.stop();
-    swing();
-}
-
 /// At rest the shapes stand at their largest.
 void ShaftViews::swing()
 {
     if (!outcome_ || outcome_->study.modes.empty()) return;
-    if (clock_.isActive()) {
-        if (!shapes_->isVisible()) return;
-        tick_ = (tick_ + 1) % framesOfSwing;
-    }
-    const double share = std::cos(2 * std::numbers::pi * tick_ / framesOfSwing);
-    shapes_->setData(receptance::modeShapesPlot(outcome_->study, share, screenLanguage()));
+    if (play_->isChecked() && !shapes_->isVisible()) return;
+    shapes_->setData(receptance::modeShapesPlot(outcome_->study, std::cos(play_->phaseOfSwing()), screenLanguage()));
 }
 
 void ShaftViews::setPresenting(bool presenting)
@@ -133,9 +103,7 @@ void ShaftViews::retranslate()
     primaryViews_->setTitle("parts", tr("Real and imaginary"));
     primaryViews_->setTitle("frequencies", tr("Natural frequencies"));
     frequencies_->setAccessibleName(tr("Natural frequencies"));
-    play_->setText(tr("Swing"));
-    play_->setToolTip(tr("Let the mode shapes swing"));
-    play_->setAccessibleName(play_->toolTip());
+    play_->setWords(tr("Swing"), tr("Let the mode shapes swing"));
     shaft_->setText(tr("Use this shaft"));
     shaft_->setToolTip(tr("Keep it in the project, where other panels take it as an input"));
     response_->setText(tr("Use this response"));

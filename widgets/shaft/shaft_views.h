@@ -2,14 +2,13 @@
 #pragma once
 
 #include <QPushButton>
-#include <QTimer>
-#include <QToolButton>
 #include <QWidget>
 #include <memory>
 
 #include "engine/receptance/task/shaft_task.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
+#include "widgets/core/panel/swing_button.h"
 #include "widgets/plot/chart_view.h"
 
 namespace lathelier::shaft_panel {
@@ -35,7 +34,6 @@ signals:
 
 private:
     void show();
-    void play(bool on);
     void swing();
 
     std::shared_ptr<const receptance::ShaftOutcome> outcome_;
@@ -46,11 +44,9 @@ private:
     plot::ChartView* parts_;
     CopyTable* frequencies_;
     QWidget* buttons_;
-    QToolButton* play_;
+    SwingButton* play_;
     QPushButton* shaft_;
     QPushButton* response_;
-    QTimer clock_;
-    int tick_ = 0;  ///< phase of the animation
 };
 
 }  // namespace lathelier::shaft_panel

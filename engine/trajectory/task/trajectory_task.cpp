@@ -77,11 +77,18 @@ report::Answer answerOf(const TrajectoryOutcome& outcome, const Language& langua
     const std::optional<double>& limit_um = outcome.question.error_motion_limit_um;
     const std::vector<TrajectorySection>& sections = outcome.trajectory->sections;
     if (!limit_um || sections.empty()) return told;
+    const auto total_um = [](const TrajectorySection& section) { return std::fmax(section.spindle.total_um, -1); };
     const TrajectorySection& most = *std::max_element(
         sections.begin(), sections.end(),
-        [](const TrajectorySection& a, const TrajectorySection& b) { return a.spindle.total_um < b.spindle.total_um; });
+        [&](const TrajectorySection& a, const TrajectorySection& b) { return total_um(a) < total_um(b); });
+    const bool has_uncertainty = std::isfinite(most.spindle.total_expanded_uncertainty_um);
     told.findings.push_back(
-        {LT_TEXT("Engine", "Motion of the workpiece axis {total:1} ± {U:1} µm, limit {limit} µm · section {section}"),
+        {!std::isfinite(most.spindle.total_um)
+             ? LT_TEXT("Engine", "Motion of the workpiece axis: only averages are known, limit {limit} µm")
+         : has_uncertainty
+             ? LT_TEXT("Engine",
+                       "Motion of the workpiece axis {total:1} ± {U:1} µm, limit {limit} µm · section {section}")
+             : LT_TEXT("Engine", "Motion of the workpiece axis {total:1} µm, limit {limit} µm · section {section}"),
          {{"total", most.spindle.total_um},
           {"U", most.spindle.total_expanded_uncertainty_um},
           {"limit", *limit_um},

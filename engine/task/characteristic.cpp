@@ -101,11 +101,20 @@ private:
             const std::string whole = prefix.empty() ? key : prefix + "." + key;
             if (value.is_number())
                 number(json, key, whole);
-            else if (value.is_object())
+            else if (value.is_object() && !isCurve(value))
                 object(value, whole);
             else if (value.is_array())
                 list(value, whole);
         }
+    }
+
+    /// What describes a list of numbers longer than a point: a histogram, a map.
+    static bool isCurve(const Json& object)
+    {
+        constexpr std::size_t ofPoint = 3;
+        return std::any_of(object.begin(), object.end(), [](const Json& value) {
+            return value.is_array() && value.size() > ofPoint && !value.front().is_object();
+        });
     }
 
     void number(const Json& json, const std::string& key, const std::string& whole)

@@ -5,7 +5,7 @@
 // command line:
 //   - a number at `a.b_mm` is the characteristic "a.b_mm"; of a list whose items have a name, a section or a verdict
 //     the items count, by name, section, kind or place ("zones.seat.mean_mm", "profiles.1.circles.MZCI.RONt_um");
-//     other lists are curves;
+//     other lists are curves, and so are objects that hold a list of more than three numbers (a histogram, a map);
 //   - beside a number x_UNIT, x_expanded_uncertainty_UNIT is its U; beside value_, mean_ or deviation_UNIT so is
 //     uncertainty_UNIT, limit_UNIT is the limit of its size, lower_ and upper_UNIT are its limits, `verdict` its
 //     verdict;

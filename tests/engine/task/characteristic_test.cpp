@@ -21,6 +21,7 @@ const Json comparison = Json::parse(R"({
                "verdict": "pass"}],
     "findings": [{"kind": "bump", "value_mm": 0.05, "uncertainty_mm": 0.01, "limit_mm": 0.04, "verdict": "fail"},
                  {"kind": "bump", "value_mm": 0.02, "uncertainty_mm": 0.01, "limit_mm": 0.04, "verdict": "pass"}],
+    "map": {"z_step_mm": 2, "mean_mm": [0, 0, null, 0]},
     "harmonics": [{"upr": 1, "amplitude_um": 2}],
     "RONt_um": 3, "RONt_expanded_uncertainty_um": 0.2, "nothing_mm": null})");
 
@@ -44,8 +45,9 @@ TEST(Characteristic, values_have_their_uncertainty_limits_and_verdict)
 TEST(Characteristic, what_belongs_to_a_value_and_curves_are_no_characteristics)
 {
     const auto all = characteristicsOf(comparison);
-    for (const char* key : {"zones.seat.uncertainty_mm", "zones.seat.lower_mm", "findings.bump.limit_mm",
-                            "RONt_expanded_uncertainty_um", "harmonics.1.amplitude_um", "nothing_mm", "transform"})
+    for (const char* key :
+         {"zones.seat.uncertainty_mm", "zones.seat.lower_mm", "findings.bump.limit_mm", "RONt_expanded_uncertainty_um",
+          "harmonics.1.amplitude_um", "nothing_mm", "transform", "map.z_step_mm"})
         EXPECT_FALSE(find(all, key)) << key;
     EXPECT_TRUE(find(all, "worst.z_mm"));
 }

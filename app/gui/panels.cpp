@@ -13,6 +13,7 @@
 #include "widgets/program/program_panel.h"
 #include "widgets/recognise/recognise_panel.h"
 #include "widgets/roundness/roundness_panel.h"
+#include "widgets/series/series_panel.h"
 #include "widgets/shaft/shaft_panel.h"
 #include "widgets/speed/speed_panel.h"
 #include "widgets/spindle_machine/machine_panel.h"
@@ -48,7 +49,8 @@ const std::vector<PanelFacts>& panelTable()
                                                longitudinal_panel::longitudinalPanelFacts(),
                                                cylindricity_panel::cylindricityPanelFacts(),
                                                surface_panel::surfacePanelFacts(),
-                                               training_panel::trainingPanelFacts()};
+                                               training_panel::trainingPanelFacts(),
+                                               series_panel::seriesPanelFacts()};
     return table;
 }
 

@@ -19,7 +19,8 @@ const Question& questionOf(const std::string& id)
                                               {"proof", LT_TEXT("Engine", "Proof"), "chain", 80},
                                               {"roundness", LT_TEXT("Engine", "Roundness"), "roundness", 90, true},
                                               {"photographs", LT_TEXT("Engine", "Photographs"), "surface", 100, true},
-                                              {"training", LT_TEXT("Engine", "Training"), "training", 110, true}};
+                                              {"training", LT_TEXT("Engine", "Training"), "training", 110, true},
+                                              {"series", LT_TEXT("Engine", "Series"), "series", 120, true}};
     return *std::find_if(all.begin(), all.end(), [&](const Question& one) { return one.id == id; });
 }
 

@@ -89,8 +89,8 @@ struct Entry {
 struct Record {
     Entry entry;
     Evaluation evaluation;
-    std::string previous_hash;   ///< of the row before; of the first 64 zeros
-    std::optional<Json> recipe;  ///< its content; none: the archive does not hold it
+    std::string previous_hash;  ///< of the row before; of the first 64 zeros
+    std::string recipe;         ///< its content, JSON on one line; empty: the archive does not hold it
 };
 
 /// One characteristic of which the archive holds values.

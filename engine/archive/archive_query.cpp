@@ -22,7 +22,8 @@ public:
     void add(const std::string& condition, const Cell& value, const std::string& behind = {})
     {
         parameters_.push_back(value);
-        add(condition + "$" + std::to_string(parameters_.size()) + behind);
+        std::string whole = condition;
+        add(whole.append("$").append(std::to_string(parameters_.size())).append(behind));
     }
     void add(const std::string& condition) { text_ += (text_.empty() ? " WHERE " : " AND ") + condition; }
 
@@ -42,7 +43,7 @@ public:
     {
         if (most <= 0) return {};
         parameters_.push_back(most);
-        return " LIMIT $" + std::to_string(parameters_.size());
+        return std::string(" LIMIT $").append(std::to_string(parameters_.size()));
     }
 
     const std::string& text() const { return text_; }

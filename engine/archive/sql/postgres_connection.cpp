@@ -171,7 +171,7 @@ private:
     {
         const auto found = statements_.find(statement);
         if (found != statements_.end()) return found->second;
-        const std::string name = "s" + std::to_string(statements_.size());
+        const std::string name = std::string("s").append(std::to_string(statements_.size()));
         require(PQsendPrepare(link_.get(), name.c_str(), statement.c_str(), 0, nullptr) == 1);
         taken();
         return statements_.emplace(statement, name).first->second;

@@ -161,7 +161,8 @@ private:
     void bind(sqlite3_stmt* statement, const Cells& parameters) const
     {
         for (std::size_t i = 0; i < parameters.size(); ++i) {
-            const int place = sqlite3_bind_parameter_index(statement, ("$" + std::to_string(i + 1)).c_str());
+            const int place =
+                sqlite3_bind_parameter_index(statement, std::string("$").append(std::to_string(i + 1)).c_str());
             if (place > 0) check(bindOne(statement, place, parameters[i]));
         }
     }
@@ -200,7 +201,7 @@ std::string immutableAddress(const std::string& path)
 /// A name that begins like an address is a path all the same.
 std::string plainPath(const std::string& path)
 {
-    return path.starts_with("file:") || path.starts_with(":") ? "./" + path : path;
+    return path.starts_with("file:") || path.starts_with(":") ? std::string("./").append(path) : path;
 }
 
 bool hasLog(const std::string& path)

@@ -9,6 +9,7 @@ room(io USES core shaft LINKS fmt::fmt OpenSSL::Crypto ZLIB::ZLIB PNG::PNG JPEG:
 room(project USES core io)
 room(task USES core shaft report io project)
 room(archive USES core io report project task)
+room(batch USES core io report project task archive)
 room(form USES core shaft signal io report project task)
 room(beam USES core shaft)
 room(receptance USES core shaft signal io report project task beam)

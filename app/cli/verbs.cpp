@@ -60,7 +60,12 @@ const std::vector<Verb>& verbs()
         io::FileKinds kinds{&io::qdasFiles(),  &io::timeRecordFiles(),      &io::frfFiles(),
                             &io::shaftFiles(), &receptance::spindleFiles(), &receptance::measurementFiles(),
                             &cad::stepFiles(), &shop::shopFiles()};
-        for (const Verb& verb : table) io::unite(kinds, verb.kinds);
+        std::vector<const task::Task*> tasks;
+        for (const Verb& verb : table) {
+            io::unite(kinds, verb.kinds);
+            if (verb.task) tasks.push_back(verb.task);
+        }
+        table.push_back(batchVerb(tasks));
         table.insert(table.begin() + 1, inspectVerb(kinds));
         return table;
     }();

@@ -52,7 +52,7 @@ bool isSame(const NamedFile& a, const NamedFile& b)
 /// The files behind the words that options take: a word may be anything, but if it is a file or folder, it is read.
 void addFilesOf(const Option& option, const Values& parameters, std::vector<NamedFile>& inputs)
 {
-    if (option.info.kind != FieldInfo::Kind::Word) return;
+    if (option.info.kind != FieldInfo::Kind::Word || option.is_output) return;
     const Value* value = find(parameters, option.info.key);
     const auto* word = value ? std::get_if<std::string>(value) : nullptr;
     if (!word || word->empty()) return;

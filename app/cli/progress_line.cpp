@@ -4,12 +4,14 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 
 namespace lathelier::cli {
 namespace {
 
 constexpr std::int64_t pause_ms = 100;
+constexpr std::int64_t firstEstimate_ms = 5000;  ///< before it, the beginning is not like the rest
 
 std::int64_t clockTime()
 {
@@ -19,7 +21,19 @@ std::int64_t clockTime()
 
 }  // namespace
 
-ProgressLine::ProgressLine(bool wanted) : enabled_(wanted && isatty(STDERR_FILENO)) {}
+std::string timeLeft(std::int64_t passed_ms, double fraction)
+{
+    constexpr double least = 1e-3;  // below, the rest is not known to a factor of two
+    if (passed_ms < firstEstimate_ms || fraction < least || fraction >= 1) return {};
+    const double left_s = static_cast<double>(passed_ms) / 1000 * (1 - fraction) / fraction;
+    const auto seconds = static_cast<std::int64_t>(std::ceil(left_s));
+    constexpr std::int64_t minute = 60, hour = 3600;
+    if (seconds >= hour) return fmt::format("  {} h {:02} min left", seconds / hour, seconds % hour / minute);
+    if (seconds >= minute) return fmt::format("  {} min {:02} s left", seconds / minute, seconds % minute);
+    return fmt::format("  {} s left", seconds);
+}
+
+ProgressLine::ProgressLine(bool wanted) : enabled_(wanted && isatty(STDERR_FILENO)), begin_ms_(clockTime()) {}
 
 ProgressLine::~ProgressLine()
 {
@@ -33,7 +47,8 @@ void ProgressLine::show(double fraction, Text stage)
     std::int64_t due = next_ms_.load();
     if (now < due || !next_ms_.compare_exchange_strong(due, now + pause_ms)) return;
     const std::lock_guard lock(mutex_);
-    fmt::print(stderr, "\r\x1b[K{}{}{:.0f} %", stage.english, stage.empty() ? "" : "  ", 100 * fraction);
+    fmt::print(stderr, "\r\x1b[K{}{}{:.0f} %{}", stage.english, stage.empty() ? "" : "  ", 100 * fraction,
+               timeLeft(now - begin_ms_, fraction));
     std::fflush(stderr);
     visible_ = true;
 }

@@ -82,7 +82,7 @@ int work(const Invocation& invocation, const Progress& progress, ProgressLine& l
     io::InputFiles inputs(common.threads != 1);
     watchOutputs(invocation);
     Answer answer = ask(*invocation.verb, invocation.request, inputs, progress);
-    if (!common.report.empty() && answer.report && answer.errors.empty())
+    if (!common.report.empty() && answer.report && (answer.errors.empty() || answer.is_reported))
         gather(answer, [&] { writeReport(common.report, answer, inputs, progress); });
     progress.check();
     line.clear();

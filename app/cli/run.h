@@ -7,13 +7,9 @@
 
 namespace lathelier::cli {
 
-// The exit codes that scripts rely on.
+// The exit codes that scripts rely on; those of errors: task::exitCode().
 inline constexpr int exitAnswered = 0;
 inline constexpr int exitOutOfTolerance = 1;
-inline constexpr int exitWrongUsage = 2;
-inline constexpr int exitInputRejected = 3;
-inline constexpr int exitNoAnswer = 4;
-inline constexpr int exitOutputFailed = 5;
 inline constexpr int exitCancelled = 130;
 
 int run(const Invocation& invocation, std::stop_token stop);

@@ -12,8 +12,6 @@
 namespace lathelier::cli {
 namespace {
 
-constexpr const char* postKey = "post";
-
 const task::Input* partInput(const task::Task& task)
 {
     const auto found = std::find_if(task.inputs.begin(), task.inputs.end(),

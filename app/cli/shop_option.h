@@ -9,6 +9,7 @@
 namespace lathelier::cli {
 
 inline constexpr const char* shopKey = "shop";
+inline constexpr const char* postKey = "post";  ///< of a control: the one that is typed rules over that of the shop
 
 Option shopOption();
 

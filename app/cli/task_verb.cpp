@@ -5,8 +5,11 @@
 
 #include "app/cli/shop_option.h"
 #include "app/cli/verb_answer.h"
+#include "engine/batch/recipe_file.h"
+#include "engine/io/file.h"
 #include "engine/report/plain_text.h"
 #include "engine/shop/shop_fill.h"
+#include "engine/shop/shop_library.h"
 #include "engine/task/asked_state.h"
 #include "engine/task/needed.h"
 #include "engine/task/reply.h"
@@ -15,6 +18,7 @@ namespace lathelier::cli {
 namespace {
 
 constexpr std::string_view dashes = "--";
+constexpr const char* recipeOption = "--save-recipe";
 
 std::string exportOf(const std::string& option)
 {
@@ -41,12 +45,35 @@ Operand operandOf(const task::Task& task, const task::Input& input)
     return operand;
 }
 
+/// The recipe of what was asked, before the shop completed it.
+void saveRecipe(const std::string& path, const task::Task& task, const task::Request& asked, const std::string& shop,
+                const Request& request, const Progress& progress)
+{
+    batch::Recipe recipe =
+        batch::recipeOf(task, task::statedState(task, asked.operands, asked.parameters), progress.quiet());
+    if (!shop.empty()) {
+        // What is not typed is that of the shop.
+        std::erase_if(recipe.parameters, [&](const auto& parameter) {
+            return parameter.first == postKey && !request.typed.contains(postKey);
+        });
+        if (shop == shop::builtInName)
+            recipe.shop.name = shop;
+        else
+            recipe.shop.file = {shop, io::fileSha256(shop, progress.quiet())};
+    }
+    batch::writeRecipe(path, recipe);
+}
+
 void runTask(const task::Task& task, const Request& request, const Progress& progress, Answer& answer)
 {
     task::Request asked{request.operands, request.parameters, {}, request.in_full};
     const std::string shop = shop::takesShop(task) ? takeShopOption(asked.parameters) : std::string();
     if (!shop.empty()) asked.complete = completedFromShop(task, shop, request, progress);
-    for (const auto& [option, path] : request.outputs) asked.exports[exportOf(option)] = path;
+    for (const auto& [option, path] : request.outputs)
+        if (option != recipeOption) asked.exports[exportOf(option)] = path;
+    const auto recipe = request.outputs.find(recipeOption);
+    if (recipe != request.outputs.end())
+        batch::requireVaried(task, task::statedState(task, asked.operands, asked.parameters));
     const task::Reply found = task::reply(task, asked, progress);
     const task::Outcome& outcome = found.outcome;
     answer.sources = std::make_shared<const task::Sources>(found.sources);
@@ -61,6 +88,8 @@ void runTask(const task::Task& task, const Request& request, const Progress& pro
     if (outcome.summary) answer.summary = report::toPlainText(outcome.summary({}));
     answer.pass = passed(outcome.verdict);
     answer.errors = found.errors;
+    if (recipe != request.outputs.end() && outcome.json)
+        gather(answer, [&] { saveRecipe(recipe->second, task, asked, shop, request, progress); });
 }
 
 }  // namespace
@@ -89,6 +118,9 @@ Verb verbOf(const task::Task& task)
     if (shop::takesShop(task)) verb.parameters.push_back(shopOption());
     for (const task::Export& output : task.exports)
         verb.outputs.push_back({std::string(dashes) + output.option, output.help});
+    verb.outputs.push_back(
+        {recipeOption, "Write the question and what all parts share as FILE.json, for the command batch."});
+    verb.task = &task;
     verb.run = [&task](const Request& request, io::InputFiles&, const Progress& progress, Answer& answer) {
         runTask(task, request, progress, answer);
     };

@@ -33,7 +33,8 @@ struct Operand {
 /// An option made from a described field: key `tolerance_mm` becomes `--tolerance-mm`.
 struct Option {
     FieldInfo info;
-    Value standard;  ///< the value when the option is not given
+    Value standard;          ///< the value when the option is not given
+    bool is_output = false;  ///< names a place to write to, whose files are no inputs
 };
 
 /// An option that names a file to write besides the usual ones.
@@ -63,6 +64,7 @@ struct Answer {
     Understanding understanding;                   ///< of a task; else what the notes state
     std::vector<Error> errors;                     ///< inputs refused while others could be answered
     std::optional<bool> pass;                      ///< the verdict, where there is one
+    bool is_reported = false;                      ///< the report is written in spite of the errors
     bool always_strict = false;                    ///< a verdict against it is exit code 1 even without --strict
     std::shared_ptr<const task::Sources> sources;  ///< of a task: what it read; null: the inputs of the run
     Values parameters;                             ///< of a task: all of them; empty: those of the request
@@ -77,6 +79,7 @@ struct Verb {
     std::vector<OutputOption> outputs;
     bool has_report = false;
     std::function<void(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)> run;
+    const task::Task* task = nullptr;  ///< that it was made from; null: none
 };
 
 /// Options that settle what the input files of a verb leave open.

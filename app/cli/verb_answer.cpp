@@ -7,20 +7,10 @@
 #include "engine/core/texts.h"
 #include "engine/io/text/units.h"
 #include "engine/report/result_json.h"
+#include "engine/task/reply.h"
 
 namespace lathelier::cli {
 namespace {
-
-int exitCode(ErrorKind kind)
-{
-    switch (kind) {
-        case ErrorKind::WrongUsage: return exitWrongUsage;
-        case ErrorKind::InputRejected: return exitInputRejected;
-        case ErrorKind::NoAnswer: return exitNoAnswer;
-        case ErrorKind::OutputFailed: return exitOutputFailed;
-    }
-    return exitNoAnswer;
-}
 
 /// The file that an error of a computation is about: the operand whose name is its role ("reference", "copy"), else the
 /// last one of those that are named one by one.
@@ -72,7 +62,7 @@ Json envelope(const Verb& verb, const Request& request, io::InputFiles& inputs, 
 
 int exitCode(const Answer& answer, bool strict)
 {
-    if (!answer.errors.empty()) return exitCode(answer.errors.front().code().kind);
+    if (!answer.errors.empty()) return task::exitCode(answer.errors.front().code().kind);
     if (strict && !answer.understanding.isWhole()) return exitOutOfTolerance;
     return (strict || answer.always_strict) && answer.pass == false ? exitOutOfTolerance : exitAnswered;
 }

@@ -2,6 +2,7 @@
 #include "app/cli/verbs.h"
 
 #include "app/cli/task_verb.h"
+#include "engine/archive/archive_kind.h"
 #include "engine/cad/step_kind.h"
 #include "engine/cad/task/compare_task.h"
 #include "engine/cad/task/draw_task.h"
@@ -19,6 +20,7 @@
 #include "engine/receptance/task/shaft_task.h"
 #include "engine/receptance/task/spindle_task.h"
 #include "engine/receptance/task/tap_task.h"
+#include "engine/series/series_task.h"
 #include "engine/shop/shop_file.h"
 #include "engine/shop/task/shop_task.h"
 #include "engine/stability/task/lobes_task.h"
@@ -55,12 +57,19 @@ const std::vector<Verb>& verbs()
                                 verbOf(cad::recognizeTask()),
                                 verbOf(cad::drawTask()),
                                 verbOf(surface::surfaceTask()),
+                                verbOf(series::seriesTask()),
                                 verbOf(verify::verifyTask())};
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(),  &io::timeRecordFiles(),      &io::frfFiles(),
                             &io::shaftFiles(), &receptance::spindleFiles(), &receptance::measurementFiles(),
-                            &cad::stepFiles(), &shop::shopFiles()};
-        for (const Verb& verb : table) io::unite(kinds, verb.kinds);
+                            &cad::stepFiles(), &shop::shopFiles(),          &archive::archiveFiles()};
+        std::vector<const task::Task*> tasks;
+        for (const Verb& verb : table) {
+            io::unite(kinds, verb.kinds);
+            if (verb.task) tasks.push_back(verb.task);
+        }
+        table.push_back(batchVerb(tasks));
+        table.push_back(queueVerb(tasks));
         table.insert(table.begin() + 1, inspectVerb(kinds));
         return table;
     }();

@@ -119,8 +119,8 @@ const task::Task& remanufactureTask()
         made.summary =
             "From the scan of a worn part to its drawing, its program and the proof of its copy, in one folder.";
         made.question = "proof";
-        made.inputs = {task::input<io::ScanInput>(scanRole, "", LT_TEXT("Engine", "Scan"),
-                                                  LT_TEXT("Engine", "The worn part: a point cloud or mesh."))};
+        made.inputs = {task::ofPart(task::input<io::ScanInput>(
+            scanRole, "", LT_TEXT("Engine", "Scan"), LT_TEXT("Engine", "The worn part: a point cloud or mesh.")))};
         made.inputs.front().kinds = {&io::scanFiles(), &cam::jobFiles(), &receptance::spindleFiles(),
                                      &deflection::setupFiles(), &dossierFiles()};
         task::askFor<ChainQuestion>(made);

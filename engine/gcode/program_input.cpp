@@ -47,8 +47,8 @@ ToolTableFile ToolTableInput::read(const io::FileToRead& file)
 
 task::Input programAsInput()
 {
-    return task::input<ProgramInput>(programRole, "", LT_TEXT("Engine", "Program"),
-                                     LT_TEXT("Engine", "The NC program that turns the work."));
+    return task::ofPart(task::input<ProgramInput>(programRole, "", LT_TEXT("Engine", "Program"),
+                                                  LT_TEXT("Engine", "The NC program that turns the work.")));
 }
 
 task::Input toolTableAsInput()

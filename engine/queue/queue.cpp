@@ -101,6 +101,7 @@ Queued enqueue(archive::Archive& archive, const std::string& recipe_path, const 
 {
     constexpr std::size_t partsPerTransaction = 100;
     const batch::PartRun run(recipe, {}, progress);
+    const Progress queueing = progress.part(0, 1, LT_TEXT("Engine", "Queueing parts"));
     Queued made;
     made.recipe_sha256 = batch::identityOf(recipe);
     for (std::size_t from = 0; from < parts.size(); from += partsPerTransaction) {
@@ -109,8 +110,7 @@ Queued enqueue(archive::Archive& archive, const std::string& recipe_path, const 
         rows.reserve(to - from);
         for (std::size_t i = from; i < to; ++i) {
             progress.check();
-            progress.report(static_cast<double>(i) / static_cast<double>(parts.size()),
-                            LT_TEXT("Engine", "Queueing parts"));
+            queueing.report(static_cast<double>(i) / static_cast<double>(parts.size()));
             try {
                 rows.emplace_back(run.begin(parts[i]).key(), inputOf(recipe_path, parts[i]));
             } catch (const Error& error) {

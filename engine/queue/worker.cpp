@@ -170,8 +170,8 @@ private:
     {
         const QueueState state = stateOf(archive_);
         const std::int64_t all = state.waiting + state.running + state.done + state.failed;
-        progress_.report(all > 0 ? static_cast<double>(state.done + state.failed) / static_cast<double>(all) : 0,
-                         LT_TEXT("Engine", "Waiting for parts"));
+        progress_.part(0, 1, LT_TEXT("Engine", "Waiting for parts"))
+            .report(all > 0 ? static_cast<double>(state.done + state.failed) / static_cast<double>(all) : 0);
         if (!settings_.waits && state.waiting == 0 && state.running == 0) return false;
         constexpr int looksAtStop = 10;
         for (int i = 0; i < looksAtStop; ++i) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -34,6 +36,9 @@ public:
 
     /// Drops files changed or missing on disk, so that the next load() reads them again. True when there were any.
     virtual bool forgetChanged() = 0;
+
+    /// Drops the file at `path`, read as it may, so that nothing of it is kept; the next load() reads it again.
+    virtual void forget(const std::string& path) = 0;
 };
 
 /// Content of a file with the report entries of it and of its partner files.
@@ -58,7 +63,8 @@ std::string shortDigest(const std::string& sha256);
 void requireSame(const FileSeen& before, const InputFile& now);
 
 /// Reads each file once: a second request with equal path and import options returns the same content even if the file
-/// has changed. Thread-safe; panels call load() inside their job, not in the GUI thread.
+/// has changed; one that comes while the first reads waits for it. Thread-safe; panels call load() inside their job,
+/// not in the GUI thread.
 template <class File>
 class FileCache : public FileStore {
 public:
@@ -71,7 +77,8 @@ public:
     /// and has changed.
     Pointer load(const project::Source& source, const Progress& progress = {})
     {
-        if (Pointer there = known(source)) return there;
+        if (Pointer there = knownOrOurs(source, progress)) return there;
+        const Reading reading{*this, source};
         const std::string stamp = io::fileStamp(source.path);
         io::InputFiles inputs;
         auto loaded = std::make_shared<Loaded<File>>();
@@ -99,9 +106,7 @@ public:
     Pointer known(const project::Source& source) const
     {
         const std::lock_guard lock(mutex_);
-        for (const Entry& entry : entries_)
-            if (sameFile(entry.source, source)) return entry.loaded;
-        return nullptr;
+        return found(source);
     }
 
     std::optional<std::string> digest(const project::Source& source) const override
@@ -124,14 +129,14 @@ public:
         std::vector<std::string> gone;
         for (const auto& [path, file] : seen_)
             if (io::fileStamp(path) != file.stamp) gone.push_back(path);
-        for (const std::string& path : gone) {
-            seen_.erase(path);
-            std::erase_if(entries_, [&](const Entry& entry) {
-                return std::any_of(entry.loaded->inputs.begin(), entry.loaded->inputs.end(),
-                                   [&](const InputFile& input) { return input.path == path; });
-            });
-        }
+        for (const std::string& path : gone) drop(path);
         return !gone.empty();
+    }
+
+    void forget(const std::string& path) override
+    {
+        const std::lock_guard lock(mutex_);
+        drop(path);
     }
 
 protected:
@@ -144,6 +149,56 @@ private:
         Pointer loaded;          ///< never null
     };
 
+    /// Ends the reading of a file, with content or without.
+    struct Reading {
+        FileCache& cache;
+        const project::Source& source;  ///< being read
+
+        ~Reading()
+        {
+            const std::lock_guard lock(cache.mutex_);
+            const auto same = [this](const project::Source& one) { return sameFile(one, source); };
+            const auto place = std::find_if(cache.reading_.begin(), cache.reading_.end(), same);
+            if (place != cache.reading_.end()) cache.reading_.erase(place);
+            cache.read_.notify_all();
+        }
+    };
+
+    /// The content, after the end of a reading under way; nullptr: the caller reads the file, and says so here.
+    Pointer knownOrOurs(const project::Source& source, const Progress& progress)
+    {
+        std::unique_lock lock(mutex_);
+        for (;;) {
+            if (Pointer there = found(source)) return there;
+            if (std::none_of(reading_.begin(), reading_.end(),
+                             [&](const project::Source& one) { return sameFile(one, source); }))
+                break;
+            read_.wait_for(lock, std::chrono::milliseconds(10));
+            lock.unlock();
+            progress.check();
+            lock.lock();
+        }
+        reading_.push_back(source);
+        return nullptr;
+    }
+
+    /// With the lock held, likewise drop().
+    Pointer found(const project::Source& source) const
+    {
+        for (const Entry& entry : entries_)
+            if (sameFile(entry.source, source)) return entry.loaded;
+        return nullptr;
+    }
+
+    void drop(const std::string& path)
+    {
+        seen_.erase(path);
+        std::erase_if(entries_, [&](const Entry& entry) {
+            return std::any_of(entry.loaded->inputs.begin(), entry.loaded->inputs.end(),
+                               [&](const InputFile& input) { return input.path == path; });
+        });
+    }
+
     static bool sameFile(const project::Source& a, const project::Source& b)
     {
         return a.path == b.path && a.import == b.import;
@@ -151,6 +206,8 @@ private:
 
     std::size_t capacity_;
     mutable std::mutex mutex_;
+    std::condition_variable read_;          ///< notified when a reading has ended
+    std::vector<project::Source> reading_;  ///< being read
     std::vector<Entry> entries_;            ///< cached entries, oldest first
     std::map<std::string, FileSeen> seen_;  ///< state of all files read, by path
 };

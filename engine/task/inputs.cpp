@@ -21,6 +21,12 @@ void Sources::add(const std::vector<InputFile>& files, const Notes& of_reader, b
     synthetic = synthetic || is_synthetic || contains(of_reader, lathelier::notes::syntheticData);
 }
 
+Input ofPart(Input input)
+{
+    input.is_of_part = true;
+    return input;
+}
+
 const project::Source* sourceOf(const project::PanelState& state, const std::string& role)
 {
     const auto source = state.inputs.find(role);

@@ -52,6 +52,7 @@ struct Input {
     bool takes_files = true;      ///< false: items only, and nothing of the command line
     bool in_window_only = false;  ///< neither operand nor option of the command line
     bool several = false;         ///< more follow under "role.2", "role.3"…; of the command line the last operand
+    bool is_of_part = false;      ///< changes from part to part; else it is that of all parts: reference, machine
     /// Reads it where it is given, for the facts that a window shows before all inputs are there. Errors of the reader.
     std::function<void(const project::PanelState&, Stores&, const Progress&)> read = {};
 };
@@ -171,5 +172,8 @@ Input optionalInput(const char* role, const char* option, Text label, Text help)
     made.required = false;
     return made;
 }
+
+/// The same input as one that changes from part to part.
+Input ofPart(Input input);
 
 }  // namespace lathelier::task

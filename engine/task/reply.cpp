@@ -30,14 +30,13 @@ void checkExports(const Task& task, const Request& request)
     }
 }
 
-void run(const Task& task, const Request& request, Reply& reply, const Progress& progress)
+/// `state`: what is asked, before it is completed.
+void run(const Task& task, project::PanelState state, const Request& request, Stores& stores, Reply& reply,
+         const Progress& progress)
 {
-    project::PanelState state = statedState(task, request.operands, request.parameters);
-    checkExports(task, request);
     Wanted wanted;
     wanted.in_full = request.in_full;
     for (const auto& [option, path] : request.exports) wanted.exports.push_back(option);
-    Stores stores;
     try {
         if (request.complete) request.complete(state, stores, reply.sources);
         requireComplete(task, state);
@@ -62,10 +61,43 @@ void run(const Task& task, const Request& request, Reply& reply, const Progress&
 
 Reply reply(const Task& task, const Request& request, const Progress& progress)
 {
+    Stores stores;
+    return reply(task, request, stores, progress);
+}
+
+Reply reply(const Task& task, const Request& request, Stores& stores, const Progress& progress)
+{
     Reply made;
-    gather(made, [&] { run(task, request, made, progress); });
+    gather(made, [&] {
+        project::PanelState state = statedState(task, request.operands, request.parameters);
+        checkExports(task, request);
+        run(task, std::move(state), request, stores, made, progress);
+    });
     for (Error& error : made.errors) blame(error, task, made.state);
     return made;
+}
+
+Reply reply(const Task& task, const project::PanelState& state, const Completion& complete, Stores& stores,
+            const Progress& progress)
+{
+    Request request;
+    request.complete = complete;
+    Reply made;
+    gather(made, [&] { run(task, state, request, stores, made, progress); });
+    for (Error& error : made.errors) blame(error, task, made.state);
+    return made;
+}
+
+int exitCode(ErrorKind kind)
+{
+    constexpr int wrongUsage = 2, inputRejected = 3, noAnswer = 4, outputFailed = 5;
+    switch (kind) {
+        case ErrorKind::WrongUsage: return wrongUsage;
+        case ErrorKind::InputRejected: return inputRejected;
+        case ErrorKind::NoAnswer: return noAnswer;
+        case ErrorKind::OutputFailed: return outputFailed;
+    }
+    return noAnswer;
 }
 
 Json resultOf(const Task& task, const Reply& reply)

@@ -31,6 +31,16 @@ struct Reply {
 /// Cancelled.
 Reply reply(const Task& task, const Request& request, const Progress& progress);
 
+/// The same with files read by `stores`, which keep them for the next request.
+Reply reply(const Task& task, const Request& request, Stores& stores, const Progress& progress);
+
+/// A state asked as it stands, in full and without files to write: that of a recipe.
+Reply reply(const Task& task, const project::PanelState& state, const Completion& complete, Stores& stores,
+            const Progress& progress);
+
+/// The exit code of the command line for an error of this kind.
+int exitCode(ErrorKind kind);
+
 /// The whole object: head, keys of the result, `error`, notes.
 Json resultOf(const Task& task, const Reply& reply);
 

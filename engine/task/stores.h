@@ -50,6 +50,13 @@ public:
         return all;
     }
 
+    /// Drops the file at `path` from every store.
+    void forget(const std::string& path)
+    {
+        const std::lock_guard lock(mutex_);
+        for (const auto& store : files_) store->forget(path);
+    }
+
     /// Drops files changed or missing on disk; true when there were any.
     bool forgetChanged()
     {

@@ -58,7 +58,6 @@ PanelFacts comparePanelFacts()
     PanelFacts facts = factsOf(cad::compareTask(), "compare", "compare", roles, {});
     facts.kinds = {&io::scanFiles()};  // a drawing opens the panels of shafts
     facts.item_inputs.clear();         // likewise
-    facts.part_inputs = {cad::copyRole, cad::copiesRole};
     facts.answer = answeredBy(compareForViews);
     facts.make = [](Session& session) -> PanelBase* { return new ComparePanel(session); };
     return facts;

@@ -27,7 +27,6 @@ PanelInputs panelInputs()
 PanelFacts cylindricityPanelFacts()
 {
     PanelFacts facts = factsOf(form::cylindricityTask(), "cylindricity", "cylindricity", roles, {});
-    facts.part_inputs = roles;
     facts.answer = answeredBy(form::answerCylindricity);
     facts.make = [](Session& session) -> PanelBase* { return new CylindricityPanel(session); };
     return facts;

@@ -21,7 +21,6 @@ PanelFacts turningFacts(PanelFacts facts)
 {
     facts.state = "deflection";
     facts.kinds = {&gcode::programFiles(), &deflection::setupFiles()};
-    facts.part_inputs = {gcode::programRole};
     facts.item_inputs = {{gcode::programItem, gcode::programRole}};
     return facts;
 }

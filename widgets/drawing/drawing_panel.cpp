@@ -53,7 +53,6 @@ std::optional<ShaftRows> rowsIn(const Value& table)
 PanelFacts drawingPanelFacts()
 {
     PanelFacts facts = factsOf(cad::drawTask(), "drawing", "drawing", roles, {});
-    facts.part_inputs = roles;
     facts.alone = facts.kinds;
     facts.has_work = [](const project::PanelState& state) { return task::hasShaft(state, cad::shaftRole); };
     facts.answer = answeredBy(checkAndDraw);

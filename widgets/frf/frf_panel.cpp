@@ -29,7 +29,6 @@ PanelInputs panelInputs()
 PanelFacts frfPanelFacts()
 {
     PanelFacts facts = factsOf(modesTask(), "frf", "frf", roles, {});
-    facts.part_inputs = {responseRole};
     facts.answer = answeredBy(receptance::answerModes);
     facts.make = [](Session& session) -> PanelBase* { return new FrfPanel(session); };
     return facts;

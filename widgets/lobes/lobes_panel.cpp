@@ -41,7 +41,6 @@ PanelInputs panelInputs()
 PanelFacts lobesPanelFacts()
 {
     PanelFacts facts = factsOf(stability::lobesTask(), "lobes", "chatter", roles, {});
-    facts.part_inputs = roles;
     facts.answer = answeredBy(stability::answerLobes);
     facts.make = [](Session& session) -> PanelBase* { return new LobesPanel(session); };
     return facts;

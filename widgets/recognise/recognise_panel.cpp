@@ -39,7 +39,6 @@ PanelInputs panelInputs()
 PanelFacts recognisePanelFacts()
 {
     PanelFacts facts = factsOf(cad::recognizeTask(), "recognise", "recognise", roles, {});
-    facts.part_inputs = roles;
     facts.alone = facts.kinds;  // a scan is drawn at once
     facts.answer = answeredBy(recogniseAndPart);
     facts.make = [](Session& session) -> PanelBase* { return new RecognisePanel(session); };

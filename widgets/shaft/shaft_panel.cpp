@@ -35,7 +35,6 @@ PanelInputs panelInputs()
 PanelFacts shaftPanelFacts()
 {
     PanelFacts facts = factsOf(receptance::shaftTask(), "shaft", "shaft", roles, {});
-    facts.part_inputs = {shaftRole};
     facts.has_work = [](const project::PanelState& state) { return task::hasShaft(state, shaftRole); };
     facts.answer = answeredBy(receptance::answerShaft);
     facts.make = [](Session& session) -> PanelBase* { return new ShaftPanel(session); };

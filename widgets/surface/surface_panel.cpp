@@ -75,7 +75,6 @@ PanelFacts surfacePanelFacts()
     facts.item_inputs.clear();          // likewise
     facts.alone = facts.kinds;          // the chain takes photographs too
     facts.roles = shownRoles();
-    facts.part_inputs = {surface::beforeRole, surface::afterRole};
     facts.answer = answeredBy(answerAndPrepare);
     facts.make = [](Session& session) -> PanelBase* { return new SurfacePanel(session); };
     facts.missing = [](const project::PanelState& state) {

@@ -28,7 +28,6 @@ PanelInputs panelInputs()
 PanelFacts tapPanelFacts()
 {
     PanelFacts facts = factsOf(tapTask(), "tap", "tap", roles, {});
-    facts.part_inputs = roles;
     facts.answer = answeredBy(receptance::answerTap);
     facts.make = [](Session& session) -> PanelBase* { return new TapPanel(session); };
     return facts;

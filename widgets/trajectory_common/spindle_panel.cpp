@@ -59,7 +59,6 @@ QString understoodRecord(const io::ProbeFile& file)
 PanelFacts spindleFacts(PanelFacts facts)
 {
     facts.state = "roundness";
-    facts.part_inputs = {trajectory::recordRole, trajectory::profileRole};
     if (!facts.missing) facts.missing = missingOf(facts.roles);
     // The files of the shared state may be those of another panel alone.
     facts.has_work = [missing = facts.missing](const project::PanelState& state) { return missing(state).empty(); };

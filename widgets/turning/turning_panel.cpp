@@ -53,7 +53,6 @@ PanelFacts turningPanelFacts()
     PanelFacts facts = factsOf(cam::turnTask(), "turning", "turning", roles, {});
     facts.kinds = {&cam::jobFiles()};
     facts.roles = panelInputs().roles;
-    facts.part_inputs = {cam::partRole, cam::programRole};
     facts.answer = answeredBy(cam::turningOutcome);
     facts.make = [](Session& session) -> PanelBase* { return new TurningPanel(session); };
     facts.missing = missingInputs;

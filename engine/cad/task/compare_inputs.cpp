@@ -189,12 +189,13 @@ std::vector<task::Input> compareInputs()
                 "drawing adds the sizes row by row.")));
     inputs.back().kinds = {&io::scanFiles(), &stepFiles(), &io::shaftFiles()};
     inputs.back().read = readReference;
-    inputs.push_back(task::input<io::ScanInput>(copyRole, "", LT_TEXT("Engine", "Copy"),
-                                                LT_TEXT("Engine", "The copy: a point cloud or mesh.")));
+    inputs.push_back(task::ofPart(task::input<io::ScanInput>(copyRole, "", LT_TEXT("Engine", "Copy"),
+                                                             LT_TEXT("Engine", "The copy: a point cloud or mesh."))));
     inputs.push_back(task::optionalInput<io::ScanInput>(
         copiesRole, "", LT_TEXT("Engine", "Further copies"),
         LT_TEXT("Engine", "Scans of more parts, judged by the same limits: table and trend")));
     inputs.back().several = true;
+    inputs.back().is_of_part = true;
     inputs.back().in_window_only = true;
     inputs.push_back(task::optionalInput<registration::ZonesInput>(
         zonesRole, zonesKey, LT_TEXT("Engine", "Zones"),

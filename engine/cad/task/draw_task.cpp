@@ -173,9 +173,9 @@ const task::Task& drawTask()
         made.summary = "Check a shaft and write it as CAD, drawing and tables.";
         made.question = "drawing";
         made.products = {shaftItem};
-        made.inputs = {task::optionalInput<PartInput>(
+        made.inputs = {task::ofPart(task::optionalInput<PartInput>(
             shaftRole, "", LT_TEXT("Engine", "Shaft"),
-            LT_TEXT("Engine", "SHAFT.json, a STEP file of a turned part, or what another panel made"))};
+            LT_TEXT("Engine", "SHAFT.json, a STEP file of a turned part, or what another panel made")))};
         made.one_of = {{shaftRole, task::segmentsKey}, LT_TEXT("Engine", "Shaft or segments")};
         task::askFor<DrawQuestion>(made);
         made.exports = partExports();

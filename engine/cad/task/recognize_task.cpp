@@ -213,8 +213,9 @@ const task::Task& recognizeTask()
             "Recognize a turned part in its scan: diameters, lengths, chamfers, fillets, their uncertainties.";
         made.question = "scan";
         made.products = {shaftItem};
-        made.inputs = {task::input<io::ScanInput>(scanRole, "", LT_TEXT("Engine", "Scan"),
-                                                  LT_TEXT("Engine", "Points or mesh of a turned part, in any pose"))};
+        made.inputs = {task::ofPart(
+            task::input<io::ScanInput>(scanRole, "", LT_TEXT("Engine", "Scan"),
+                                       LT_TEXT("Engine", "Points or mesh of a turned part, in any pose")))};
         task::askFor<RecognizeQuestion>(made);
         made.exports = partExports();
         // The measured drawing marks what is not explained.

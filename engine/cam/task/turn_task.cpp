@@ -288,6 +288,8 @@ const task::Task& turnTask()
                 programRole, programRole, LT_TEXT("Engine", "Program in place of the planned one"),
                 LT_TEXT("Engine", "In place of the planned program of the first clamping; it is checked like it."))};
         made.inputs.front().operand = "SHAFT|JOB";
+        made.inputs.front().is_of_part = true;
+        made.inputs.back().is_of_part = true;
         made.inputs.back().item_kind = gcode::correctedItem;
         task::askFor<TurningQuestion>(made);
         made.exports = {

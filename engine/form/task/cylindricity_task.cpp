@@ -90,6 +90,7 @@ const task::Task& cylindricityTask()
             pointsRole, "", LT_TEXT("Engine", "Points"),
             LT_TEXT("Engine", "Points of one cylindrical surface: a scan, or sections measured one above the other."))};
         made.inputs.front().operand = "FILE";
+        made.inputs.front().is_of_part = true;
         task::askFor<CylindricityParameters>(made);
         made.exports = {{alongAxisExport, "Write local radius and axis along the length as FILE.csv.",
                          LT_TEXT("Engine", "Local radius and axis along the length (CSV)…"),

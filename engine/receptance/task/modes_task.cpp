@@ -321,6 +321,7 @@ const task::Task& modesTask()
             task::optionalInput<SpindleInput>(
                 spindleRole, spindleRole, LT_TEXT("Engine", "Spindle"),
                 LT_TEXT("Engine", "That holds the shaft: SPINDLE.json. Without it the shaft is free."))};
+        made.inputs.front().is_of_part = true;
         made.one_of = {{responseRole, shaftRole}, LT_TEXT("Engine", "Frequency response or shaft"), true};
         task::askFor<ModesQuestion>(made);
         made.exports = {{responseCsvExport, "Write the response that is handed on as FILE.csv.",

@@ -202,6 +202,7 @@ const task::Task& shaftTask()
                 LT_TEXT("Engine", "SPINDLE.json, or what the panel Spindle made; without it the shaft is free")),
             task::optionalInput<io::MaterialInput>(materialRole, materialRole, LT_TEXT("Engine", "Material"),
                                                    LT_TEXT("Engine", "Of the shaft, from FILE.json."))};
+        made.inputs.front().is_of_part = true;
         made.one_of = {{shaftRole, task::segmentsKey}, LT_TEXT("Engine", "Shaft or segments")};
         task::askFor<ShaftQuestion>(made);
         made.exports = {{shaftExport, "Write the shaft as SHAFT.json.", LT_TEXT("Engine", "Shaft (SHAFT.json)…"),

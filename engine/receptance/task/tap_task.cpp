@@ -196,6 +196,7 @@ const task::Task& tapTask()
             tapRecordRole, "", LT_TEXT("Engine", "Time record"),
             LT_TEXT("Engine", "Force and motion over time (CSV, UFF or WAV), or one record for each hit."));
         record.several = true;
+        record.is_of_part = true;
         made.inputs = {std::move(record)};
         task::askFor<TapQuestion>(made);
         made.exports = {{tapCsvExport, "Write the receptance as FILE.csv.", LT_TEXT("Engine", "Receptance (CSV)…"),

@@ -313,6 +313,7 @@ const task::Task& lobesTask()
             marksRole, "", LT_TEXT("Engine", "Chatter marks"),
             LT_TEXT("Engine", "Read off a photograph by the panel Surface. They may be missing.")));
         made.inputs.back().takes_files = false;
+        made.inputs.back().is_of_part = true;
         made.one_of = responseSources();
         made.only_with = responseRules();
         task::askFor<LobesQuestion>(made);

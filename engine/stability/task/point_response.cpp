@@ -148,12 +148,12 @@ std::vector<task::Input> responseInputs()
         frfRole, "", LT_TEXT("Engine", "Frequency response"),
         LT_TEXT("Engine", "Of the point that is cut, in the direction of the chip thickness: UFF, CSV or MAT."));
     response.operand = "FRF";
-    return {std::move(response),
-            task::optionalInput<io::ShaftInput>(
+    return {task::ofPart(std::move(response)),
+            task::ofPart(task::optionalInput<io::ShaftInput>(
                 shaftRole, shaftRole, LT_TEXT("Engine", "Shaft"),
                 LT_TEXT("Engine",
                         "Its receptance is computed, on its machine where a spindle is given: SHAFT.json or a "
-                        "stock file.")),
+                        "stock file."))),
             task::optionalInput<receptance::SpindleInput>(
                 spindleRole, spindleRole, LT_TEXT("Engine", "Spindle"),
                 LT_TEXT("Engine", "The machine at the chuck face, from FILE.json; without it the shaft is free.")),

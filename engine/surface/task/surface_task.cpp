@@ -126,9 +126,11 @@ std::vector<task::Input> surfaceInputs()
         LT_TEXT("Engine", "A photograph (PNG, JPEG, TIFF); several are compared, the first being before.")));
     all.back().operand = "IMAGE";
     all.back().several = true;
+    all.back().is_of_part = true;
     all.push_back(task::optionalInput<io::ImageInput>(
         afterRole, "", LT_TEXT("Engine", "Picture after"),
         LT_TEXT("Engine", "The same surface after the speed was corrected, taken alike. It may be missing.")));
+    all.back().is_of_part = true;
     all.push_back(task::optionalInput<io::FrfInput>(
         stability::frfRole, "", LT_TEXT("Engine", "Frequency response"),
         LT_TEXT("Engine", "A model to compare the marks with: UFF, CSV or MAT. It may be missing.")));

@@ -20,6 +20,7 @@ task::Input recordInput(const char* option)
         recordRole, option, LT_TEXT("Engine", "Probe record"),
         LT_TEXT("Engine", "A probe record (CSV or L-Graph .dat/.par), or one for each section."));
     input.several = true;
+    input.is_of_part = true;
     return input;
 }
 

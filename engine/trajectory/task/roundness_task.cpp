@@ -245,6 +245,7 @@ std::vector<task::Input> roundnessInputs()
         task::input<io::ProfileInput>(profileRole, "", LT_TEXT("Engine", "Measured profile"),
                                       LT_TEXT("Engine", "A measured profile: x,y or angle,radius in a text table."));
     profile.several = true;
+    profile.is_of_part = true;
     task::Input record = recordInput("record");
     record.required = false;
     record.help = LT_TEXT("Engine", "Judge a section of this probe record in place of a profile.");

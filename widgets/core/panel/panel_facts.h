@@ -94,7 +94,7 @@ struct PanelFacts {
     /// Input role by kind of item made by another panel.
     std::map<std::string, std::string> item_inputs = {};
 
-    /// Roles of inputs specific to one part, which a recipe excludes.
+    /// Roles of inputs specific to one part, which a recipe excludes; of a panel of a task those that the task says.
     std::vector<std::string> part_inputs = {};
 
     /// Its answer stands for its question, before those of the panels before it.

@@ -73,6 +73,8 @@ PanelFacts factsOf(const task::Task& task, const char* id, const char* icon, con
     facts.roles = rolesOf(task, roles);
     facts.kinds = kindsOf(facts.roles);
     for (const InputRole& role : facts.roles)
+        if (task.input(role.role)->is_of_part) facts.part_inputs.push_back(role.role);
+    for (const InputRole& role : facts.roles)
         if (!role.item_kind.empty()) facts.item_inputs.emplace(role.item_kind, role.role);
     if (!task.one_of.keys.empty())
         facts.missing = [&task, required = missingOf(facts.roles)](const project::PanelState& state) {

@@ -151,7 +151,7 @@ private:
         const io::JsonCursor inputs =
             document.root().at("inputs", LT_TEXT("Engine", "the inputs of a part by their roles"));
         Part part;
-        inputs.members(recipe_.task->inputs.size(), [&](const std::string& role, const io::JsonCursor& member) {
+        inputs.members(io::mostJsonMembers, [&](const std::string& role, const io::JsonCursor& member) {
             if (std::find(recipe_.varied.begin(), recipe_.varied.end(), role) == recipe_.varied.end()) {
                 const io::JsonPlace here = member.place();
                 throw Error(errors::recipeMemberUnknown,

@@ -50,7 +50,8 @@ Shard shardFrom(const std::string& stated)
     return shard;
 }
 
-ResultsFile::ResultsFile(std::string path, const Json& recipe) : path_(std::move(path)), flushed_()
+ResultsFile::ResultsFile(std::string path, const Json& recipe)
+    : path_(std::move(path)), flushed_(std::chrono::steady_clock::now())
 {
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
     if (descriptor_ < 0) fail(errno);

@@ -89,8 +89,7 @@ public:
         requireRecipe(settings.folder, result_.recipe_sha256);
         result_.results_file = pathOf(settings.shard.fileName("results", ".jsonl"));
         result_.failures_file = pathOf(settings.shard.fileName("failures", ".csv"));
-        file_.emplace(result_.results_file,
-                      Json{{"recipe", toJson(recipe, settings.folder)}, {"sha256", result_.recipe_sha256}});
+        file_.emplace(result_.results_file, Json{{"recipe", contentOf(recipe)}, {"sha256", result_.recipe_sha256}});
         if (!settings.asked.recipe.empty()) remember(settings.folder, settings.asked);
         known_.emplace(settings.folder, progress.part(0, 0.01));
     }

@@ -193,6 +193,20 @@ Json toJson(const Recipe& recipe, const std::string& folder)
     return json;
 }
 
+Json contentOf(const Recipe& recipe)
+{
+    Json json = toJson(recipe, "/");
+    json.erase("program_version");
+    for (auto& [role, input] : json["inputs"].items()) {
+        input.erase("path");
+        if (input.contains("files"))
+            for (Json& file : input["files"]) file.erase("path");
+    }
+    if (json.contains("shop")) json["shop"].erase("path");
+    // Sorted keys: the order of the fields may change from version to version.
+    return Json::parse(nlohmann::json::parse(json.dump(-1, ' ', false, Json::error_handler_t::replace)).dump());
+}
+
 void writeRecipe(const std::string& path, const Recipe& recipe)
 {
     io::writeFile(

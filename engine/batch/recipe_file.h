@@ -20,6 +20,10 @@ inline constexpr int recipeVersion = 1;
 /// The object of a recipe whose file stands in `folder`; empty: the working folder.
 Json toJson(const Recipe& recipe, const std::string& folder);
 
+/// The object as results and archive keep it: without paths and the version that saved it, so that recipes of one
+/// identity have one content wherever they lie.
+Json contentOf(const Recipe& recipe);
+
 /// Writes the file. Error fileNotWritable.
 void writeRecipe(const std::string& path, const Recipe& recipe);
 

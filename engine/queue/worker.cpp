@@ -88,7 +88,7 @@ public:
             throw Error(errors::queueRecipeChanged,
                         {{"path", job.recipe_path}, {"found", identity}, {"expected", job.recipe_sha256}});
         made->archived = {identity,
-                          batch::toJson(made->recipe, "/").dump(-1, ' ', false, Json::error_handler_t::replace)};
+                          batch::contentOf(made->recipe).dump(-1, ' ', false, Json::error_handler_t::replace)};
         made->run = std::make_unique<batch::PartRun>(made->recipe, complete_, progress_);
         return *(ready_[job.recipe_path] = std::move(made));
     }

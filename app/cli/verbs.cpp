@@ -55,6 +55,7 @@ const std::vector<Verb>& verbs()
                                 verbOf(cad::recognizeTask()),
                                 verbOf(cad::drawTask()),
                                 verbOf(surface::surfaceTask()),
+                                archiveVerb(),
                                 verbOf(verify::verifyTask())};
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(),  &io::timeRecordFiles(),      &io::frfFiles(),

@@ -6,6 +6,7 @@
 namespace lathelier::cli {
 
 Verb sampleVerb();
+Verb archiveVerb();
 Verb inspectVerb(const io::FileKinds& kinds);  ///< accepts all kinds of file of the others
 
 }  // namespace lathelier::cli

@@ -58,6 +58,7 @@ const std::vector<Verb>& verbs()
                                 verbOf(cad::drawTask()),
                                 verbOf(surface::surfaceTask()),
                                 verbOf(series::seriesTask()),
+                                archiveVerb(),
                                 verbOf(verify::verifyTask())};
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(),  &io::timeRecordFiles(),      &io::frfFiles(),

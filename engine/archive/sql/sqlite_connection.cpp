@@ -237,14 +237,19 @@ std::unique_ptr<Connection> openSqliteFile(const std::string& path, bool is_read
             return opened(plain, path, SQLITE_OPEN_READWRITE, progress,
                           "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON; PRAGMA recursive_triggers = ON; "
                           "PRAGMA cell_size_check = ON; PRAGMA journal_mode = WAL; SELECT count(*) FROM sqlite_schema");
-        // On a medium that cannot be written SQLite makes no memory to share beside the file. Nobody can write it then.
+        // Who may write the file takes its log away behind him; who may not reads it as it is. On a medium that nobody
+        // can write SQLite makes no memory to share beside the file, and needs none.
         const char* look = "PRAGMA query_only = ON; SELECT count(*) FROM sqlite_schema";
+        try {
+            return opened(plain, path, SQLITE_OPEN_READWRITE, progress, look);
+        } catch (const Error&) {
+        }
         try {
             return opened(plain, path, SQLITE_OPEN_READONLY, progress, look);
         } catch (const Error&) {
             if (hasLog(path)) throw;
-            return opened(immutableAddress(plain), path, SQLITE_OPEN_READONLY, progress, look);
         }
+        return opened(immutableAddress(plain), path, SQLITE_OPEN_READONLY, progress, look);
     } catch (const Error& error) {
         throwNotOpened(error);
     }

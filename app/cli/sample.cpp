@@ -26,7 +26,7 @@ const std::vector<Field<SampleParameters>>& fieldsOf(const SampleParameters*)
               Label{{"Parts"},
                     {"In place of the project, so many scans of one part whose seat drifts, three of them out of "
                      "tolerance, with the recipe that finds them (0: none; else at least 8)."}}),
-        field("series_points", &SampleParameters::series_points, Range{500, 10000000},
+        field("series_points", &SampleParameters::series_points, Range{3000, 10000000},
               Label{{"Points"}, {"Of each scan of a series, about."}})};
     return all;
 }

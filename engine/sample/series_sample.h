@@ -17,7 +17,7 @@ inline constexpr int fewestParts = 8;  ///< of a series: three of them are bad
 
 struct SeriesModel {
     int parts = 30;           ///< at least fewestParts
-    int points = 3000;        ///< of a scan, about; the original has ten times as many
+    int points = 3000;        ///< of a scan, about; below, small defects could hide. The original has ten times as many
     std::uint64_t seed = 1;   ///< the same gives the same bytes
     double drift_um = 16;     ///< of the seat's radius from the first part to the last, about the nominal one
     double bad_um = 70;       ///< on the radius of the three bad parts, beside the drift

@@ -47,7 +47,7 @@ TEST(Series, evaluations_of_a_real_task_do_not_depend_on_jobs)
     const ScratchFolder folder;
     sample::SeriesModel model;
     model.parts = 8;
-    model.points = 1500;
+    model.points = 3000;
     sample::writeSeries(folder.string(), model);
     const Recipe recipe = loadRecipe((folder / "recipe.json").string(), realTasks()).recipe;
     const BatchResult one = runBatch({(folder / "parts").string()}, recipe, into(folder / "one", 1));

@@ -76,7 +76,8 @@ ArchivedState archivedState(const archive::Record& record, const Progress& progr
     const Json reading = objectIn(recipe, "reading");
     for (const archive::EvaluatedInput& input : record.evaluation.inputs)
         add(input.role, input.file.path, input.file.sha256, reading);
-    for (const auto& [role, input] : objectIn(recipe, "inputs").items()) {
+    const Json fixed = objectIn(recipe, "inputs");
+    for (const auto& [role, input] : fixed.items()) {
         if (!input.is_object()) continue;
         const std::string sha256 = wordIn(input, "sha256");
         add(role, pathOf(result, sha256), sha256, objectIn(input, "reading"));

@@ -12,7 +12,8 @@
 //
 // Errors: of every call archiveNotRead, archiveNotWritten (full disk, lost connection, role without the right); those
 // of opening at open(). Each call is one transaction (push: several) and one caller at a time; others wait. A writing
-// call that throws, Cancelled included, has changed nothing.
+// call that throws, Cancelled included, has changed nothing; only where a connection is lost at its very end this
+// cannot be known, and the call can be repeated.
 #pragma once
 
 #include <cstdint>
@@ -57,9 +58,9 @@ struct Added {
 
 /// Which rows are meant: those that satisfy all that is stated.
 struct Filter {
-    std::string task = {};
-    std::string characteristic = {};  ///< key
-    std::string recipe_sha256 = {};
+    std::string task = {};                ///< key of the task, "compare"
+    std::string characteristic = {};      ///< key
+    std::string recipe_sha256 = {};       ///< identity of the recipe
     std::optional<Verdict> verdict = {};  ///< of the evaluation; in series() of the value
     std::string from = {};                ///< first date
     std::string to = {};                  ///< last date, included
@@ -68,21 +69,21 @@ struct Filter {
 
 /// Head of one evaluation in the archive.
 struct Entry {
-    std::string uuid;
-    std::string recorded_at;
+    std::string uuid;         ///< of the row
+    std::string recorded_at;  ///< UTC, with milliseconds
     Attestation attestation;
-    std::string task;
-    std::string version;  ///< of the program
-    std::string recipe_sha256;
-    std::string file;  ///< name of the first input, without folders; empty: no input
-    int exit_code = 0;
-    std::optional<Verdict> verdict;
-    std::string supersedes;     ///< UUID of the row that it replaces; empty: none
-    std::string superseded_by;  ///< UUID; empty: it is valid
-    std::string reason;         ///< of the replacement; empty: none
-    std::string writer;
-    std::int64_t sequence = 0;  ///< place in the chain of its writer, from 1
-    std::string hash;           ///< SHA-256 of the row and of the chain before it
+    std::string task;                ///< key of the task, "compare"
+    std::string version;             ///< of the program
+    std::string recipe_sha256;       ///< identity of the recipe
+    std::string file;                ///< name of the first input, without folders; empty: no input
+    int exit_code = 0;               ///< of the verb: 0 answered, 3 rejected, 4 no answer
+    std::optional<Verdict> verdict;  ///< none: nothing to judge
+    std::string supersedes;          ///< UUID of the row that it replaces; empty: none
+    std::string superseded_by;       ///< UUID; empty: it is valid
+    std::string reason;              ///< of the replacement; empty: none
+    std::string writer;              ///< UUID of a file, or role of a database
+    std::int64_t sequence = 0;       ///< place in the chain of its writer, from 1
+    std::string hash;                ///< SHA-256 of the row and of the chain before it
 };
 
 /// One evaluation as a whole.
@@ -95,7 +96,7 @@ struct Record {
 
 /// One characteristic of which the archive holds values.
 struct ArchivedCharacteristic {
-    std::string task;
+    std::string task;              ///< key of the task, "compare"
     std::string key;               ///< with its unit: "worst.deviation_mm"
     std::string unit;              ///< as shown, "µm"; empty: none
     std::string last_recorded_at;  ///< of its latest value
@@ -103,14 +104,14 @@ struct ArchivedCharacteristic {
 
 /// One value of a characteristic.
 struct SeriesPoint {
-    std::string uuid;  ///< of its evaluation
-    std::string recorded_at;
-    std::string file;  ///< name of the first input, without folders
-    double value = 0;  ///< in the unit of the characteristic, as the further ones
-    std::optional<double> expanded_uncertainty;
-    std::optional<double> lower_limit;
-    std::optional<double> upper_limit;
-    std::optional<Verdict> verdict;
+    std::string uuid;                            ///< of its evaluation
+    std::string recorded_at;                     ///< UTC, with milliseconds
+    std::string file;                            ///< name of the first input, without folders
+    double value = 0;                            ///< in the unit of the characteristic, as the further ones
+    std::optional<double> expanded_uncertainty;  ///< k = 2 or 95 %; none: not known
+    std::optional<double> lower_limit;           ///< none: no limit on this side
+    std::optional<double> upper_limit;           ///< none: no limit on this side
+    std::optional<Verdict> verdict;              ///< none: not judged
 };
 
 /// What is wrong with a row.
@@ -127,15 +128,15 @@ std::string_view key(Fault fault);  ///< "content" | "order" | "missing" | "dupl
 Text name(Fault fault);
 
 struct BrokenRow {
-    std::string writer;
-    std::int64_t sequence = 0;
-    std::string uuid;  ///< empty: the row is missing
+    std::string writer;         ///< of the chain
+    std::int64_t sequence = 0;  ///< place in the chain
+    std::string uuid;           ///< empty: the row is missing
     Fault fault = Fault::Content;
 };
 
 /// The chain of one writer, as far as it was checked.
 struct CheckedChain {
-    std::string writer;
+    std::string writer;        ///< UUID of a file, or role of a database
     std::int64_t checked = 0;  ///< rows that are what they were
     std::string last_hash;     ///< of the last of them: who notes it can prove later that nothing was cut off behind
 };

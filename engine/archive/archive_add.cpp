@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <nlohmann/json.hpp>
 
 #include "engine/archive/archive_codes.h"
 #include "engine/archive/archive_rows.h"
@@ -28,6 +29,7 @@ void checkTexts(const Evaluation& evaluation)
     requireText("version", evaluation.version);
     requireText("recipe_sha256", evaluation.recipe_sha256);
     requireText("result", evaluation.result);
+    if (!Json::accept(evaluation.result)) throw Error(errors::textNotStorable, {{"name", std::string("result")}});
     for (const EvaluatedInput& input : evaluation.inputs)
         for (const std::string* text : {&input.role, &input.file.path, &input.file.sha256})
             requireText("inputs", *text);

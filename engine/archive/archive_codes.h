@@ -31,9 +31,8 @@ inline constexpr ErrorCode archiveNotOpened{"archive_not_opened", ErrorKind::Inp
 inline constexpr ErrorCode archiveNotRead{"archive_not_read", ErrorKind::InputRejected,
                                           LT_TEXT("Engine", "The archive {location} cannot be read: {reason}.")};
 
-inline constexpr ErrorCode archiveNotWritten{
-    "archive_not_written", ErrorKind::OutputFailed,
-    LT_TEXT("Engine", "The archive {location} cannot be written: {reason}. Nothing of this was added.")};
+inline constexpr ErrorCode archiveNotWritten{"archive_not_written", ErrorKind::OutputFailed,
+                                             LT_TEXT("Engine", "The archive {location} cannot be written: {reason}.")};
 
 inline constexpr ErrorCode noArchive{"no_archive", ErrorKind::InputRejected,
                                      LT_TEXT("Engine", "{location} is no archive: found {found}.")};
@@ -74,7 +73,7 @@ inline constexpr ErrorCode recipeContradicts{
 
 inline constexpr ErrorCode textNotStorable{
     "text_not_storable", ErrorKind::InputRejected,
-    LT_TEXT("Engine", "{name} cannot be kept: expected UTF-8 without the character 0.")};
+    LT_TEXT("Engine", "{name} cannot be kept: expected UTF-8 without the character 0, of a result JSON.")};
 
 inline constexpr ErrorCode evaluationNotFound{"evaluation_not_found", ErrorKind::NoAnswer,
                                               LT_TEXT("Engine", "The archive holds no evaluation {uuid}.")};

@@ -187,7 +187,8 @@ std::vector<SeriesPoint> Archive::series(const std::string& characteristic, cons
     if (!filter.recipe_sha256.empty())
         conditions.add("EXISTS (SELECT 1 FROM evaluation e WHERE e.uuid = m.evaluation AND e.recipe_sha256 = ",
                        filter.recipe_sha256, ")");
-    conditions.add("NOT EXISTS (SELECT 1 FROM evaluation s WHERE s.supersedes = m.evaluation)");
+    if (connection.word("SELECT uuid FROM evaluation WHERE supersedes IS NOT NULL LIMIT 1"))
+        conditions.add("NOT EXISTS (SELECT 1 FROM evaluation s WHERE s.supersedes = m.evaluation)");
     const std::string limit = conditions.limit(filter.most);
     std::vector<SeriesPoint> points;
     connection.each(

@@ -13,8 +13,8 @@ namespace lathelier::archive {
 
 /// The end of the chain of one writer.
 struct Tail {
-    std::int64_t sequence = 0;  ///< 0: no row yet
-    std::string hash = firstHash;
+    std::int64_t sequence = 0;     ///< 0: no row yet
+    std::string hash = firstHash;  ///< of the row `sequence`
 };
 
 std::vector<std::string> writersOf(sql::Connection& connection);

@@ -112,7 +112,9 @@ Row rowOf(const Evaluation& evaluation)
     row.version = evaluation.version;
     row.recipe_sha256 = evaluation.recipe_sha256;
     row.key = evaluation.key();
-    row.inputs = toJson(evaluation)["inputs"].dump();
+    Evaluation inputs_only;  // the result need not be parsed for them
+    inputs_only.inputs = evaluation.inputs;
+    row.inputs = toJson(inputs_only)["inputs"].dump();
     row.exit_code = evaluation.exit_code;
     row.verdict = wordOf(evaluation.verdict);
     row.result = evaluation.result;

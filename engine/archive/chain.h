@@ -17,25 +17,25 @@ namespace lathelier::archive {
 
 /// A row as it is stored. Optional texts are empty where the database has NULL.
 struct Row {
-    std::string uuid;
-    std::string writer;
-    std::int64_t sequence = 0;
-    std::string previous_hash;
-    std::string hash;
-    std::string recorded_at;
+    std::string uuid;           ///< of the row
+    std::string writer;         ///< UUID of a file, or role of a database
+    std::int64_t sequence = 0;  ///< place in the chain, from 1
+    std::string previous_hash;  ///< of the row before
+    std::string hash;           ///< of this row, hashOf()
+    std::string recorded_at;    ///< UTC, with milliseconds
     Attestation attestation;
-    std::string task;
-    std::string version;
-    std::string recipe_sha256;
-    std::string recipe_content_sha256;  ///< of the text of the recipe; empty: it was not there
-    std::string key;
-    std::string inputs;  ///< JSON
-    int exit_code = 0;
-    std::string verdict;  ///< key; empty: none
-    std::string result;   ///< JSON
-    std::string supersedes;
-    std::string reason;
-    std::vector<task::Characteristic> values;
+    std::string task;                          ///< key of the task
+    std::string version;                       ///< of the program
+    std::string recipe_sha256;                 ///< identity of the recipe
+    std::string recipe_content_sha256;         ///< of the text of the recipe; empty: it was not there
+    std::string key;                           ///< Evaluation::key()
+    std::string inputs;                        ///< JSON
+    int exit_code = 0;                         ///< of the verb
+    std::string verdict;                       ///< key; empty: none
+    std::string result;                        ///< JSON
+    std::string supersedes;                    ///< UUID; empty: none
+    std::string reason;                        ///< of the replacement
+    std::vector<task::Characteristic> values;  ///< in the order of the evaluation
     bool is_file_right = true;  ///< the name of the file beside the values is that of the inputs; not hashed
 };
 

@@ -168,6 +168,9 @@ TEST_P(EitherArchive, refuses_a_recipe_that_changed_and_text_that_is_none)
     odd.inputs.front().file.path = "/parts/\xFE.ply";
     EXPECT_EQ(codeOf([&] { archive.add({odd}, {}); }), "text_not_storable");
     odd = partEvaluation(1);
+    odd.result = "{";
+    EXPECT_EQ(codeOf([&] { archive.add({odd}, {}); }), "text_not_storable");
+    odd = partEvaluation(1);
     odd.task = std::string("a\0b", 3);
     EXPECT_EQ(codeOf([&] { archive.add({odd}, {}); }), "text_not_storable");
     EXPECT_EQ(archive.list().size(), 1u);

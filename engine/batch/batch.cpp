@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <system_error>
-#include <unordered_map>
 
 #include "engine/batch/batch_codes.h"
 #include "engine/batch/ordered_jobs.h"
@@ -58,7 +58,7 @@ std::vector<std::string> reportNames(const std::vector<Part>& parts)
     std::vector<std::string> names;
     names.reserve(parts.size());
     for (const Part& part : parts) {
-        const std::string stem = fs::path(part.name).filename().string();
+        const std::string stem = fs::path(part.name()).filename().string();
         std::string name = stem;
         for (int again = ++taken[stem]; again > 1 && taken[name = stem + "-" + std::to_string(again)]++ > 0; ++again) {
         }
@@ -132,7 +132,7 @@ private:
 
     Failure failure(std::size_t place, const Error& error) const
     {
-        return failureOf(places_[place], parts_[place].name, error);
+        return failureOf(places_[place], parts_[place].name(), error);
     }
 
     PartOutcome work(std::size_t place, OrderedJobs<PartOutcome>& ordered)
@@ -144,9 +144,11 @@ private:
         try {
             begun = run_.begin(parts_[place]);
             key = begun.key();
-        } catch (const Error& error) {
+        } catch (const Cancelled&) {
+            throw;
+        } catch (const std::exception& problem) {
             outcome.kind = Kind::Unreadable;
-            outcome.failure = failure(place, error);
+            outcome.failure = failure(place, toError(problem));
         }
         ordered.turn(place, [&] { decide(place, key, outcome); });
         if (outcome.kind == Kind::Computed) compute(place, std::move(begun), outcome);
@@ -159,7 +161,7 @@ private:
     void decide(std::size_t place, const std::string& key, PartOutcome& outcome)
     {
         if (outcome.kind == Kind::Unreadable) return;
-        const auto [first, isNew] = seen_.emplace(key, place);
+        const auto [first, isNew] = seen_.emplace(beginOf(key), place);
         if (!isNew) {
             outcome.kind = Kind::Duplicate;
             outcome.same_as = first->second;
@@ -231,7 +233,7 @@ private:
         ++result_.duplicates;
         if (static_cast<std::size_t>(result_.duplicates) <= mostDuplicatesNamed)
             result_.notes.push_back(
-                {notes::partRepeated, {{"path", parts_[place].name}, {"other", parts_[first].name}}});
+                {notes::partRepeated, {{"path", parts_[place].name()}, {"other", parts_[first].name()}}});
     }
 
     /// What was finished is on the disk and listed, whatever ended the run.
@@ -247,8 +249,8 @@ private:
                       const auto at =
                           static_cast<std::size_t>(std::lower_bound(keys.begin(), keys.end(), key) - keys.begin());
                       const std::size_t place = refusedBefore_[at].second;
-                      if (std::exchange(listed_[key], true)) return;  // two shards had parts of one content
-                      result_.failures.push_back(failureFrom(places_[place], parts_[place].name, line));
+                      if (!listed_.insert(key).second) return;  // two shards had parts of one content
+                      result_.failures.push_back(failureFrom(places_[place], parts_[place].name(), line));
                   },
                   {});
         std::sort(result_.failures.begin(), result_.failures.end(),
@@ -267,9 +269,9 @@ private:
     std::vector<std::string> reports_;  ///< paths of their reports; empty: none are asked for
     std::optional<ResultsFile> file_;
     std::optional<KnownResults> known_;
-    std::unordered_map<std::string, std::size_t> seen_;               ///< first part of each key of this run
+    std::map<KeyBegin, std::size_t> seen_;                            ///< first part of each key of this run
     std::vector<std::pair<std::string, std::size_t>> refusedBefore_;  ///< key and part of refusals taken over
-    std::unordered_map<std::string, bool> listed_;                    ///< those among the failures
+    std::set<std::string> listed_;                                    ///< those among the failures
 };
 
 }  // namespace

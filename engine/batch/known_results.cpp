@@ -114,14 +114,6 @@ void forEvaluations(const std::string& folder, const Progress& progress,
         });
 }
 
-std::array<std::uint8_t, 15> beginOf(const std::string& key)
-{
-    std::array<std::uint8_t, 15> begin{};
-    for (std::size_t i = 0; i < begin.size() && 2 * i + 2 <= key.size(); ++i)
-        std::from_chars(key.data() + 2 * i, key.data() + 2 * i + 2, begin[i], 16);
-    return begin;
-}
-
 }  // namespace
 
 Standing standingOf(const std::optional<Verdict>& verdict)
@@ -164,6 +156,14 @@ void requireRecipe(const std::string& folder, const std::string& recipe_sha256)
     }
 }
 
+KeyBegin beginOf(const std::string& key)
+{
+    KeyBegin begin{};
+    for (std::size_t i = 0; i < begin.size() && 2 * i + 2 <= key.size(); ++i)
+        std::from_chars(key.data() + 2 * i, key.data() + 2 * i + 2, begin[i], 16);
+    return begin;
+}
+
 KnownResults::KnownResults(const std::string& folder, const Progress& progress)
 {
     forEvaluations(folder, progress, [this](const std::string&, const EvaluationHead& head) {
@@ -174,7 +174,7 @@ KnownResults::KnownResults(const std::string& folder, const Progress& progress)
 
 std::optional<Standing> KnownResults::find(const std::string& key) const
 {
-    const auto begin = beginOf(key);
+    const KeyBegin begin = beginOf(key);
     const auto found = std::lower_bound(entries_.begin(), entries_.end(), begin,
                                         [](const Entry& entry, const auto& sought) { return entry.key < sought; });
     if (found == entries_.end() || found->key != begin) return std::nullopt;

@@ -28,6 +28,10 @@ std::vector<std::string> resultsIn(const std::string& folder);
 /// `recipe_sha256`; malformed (path, line) where it is of none.
 void requireRecipe(const std::string& folder, const std::string& recipe_sha256);
 
+/// The first bytes of Evaluation::key(), which tell keys apart.
+using KeyBegin = std::array<std::uint8_t, 15>;
+KeyBegin beginOf(const std::string& key);
+
 class KnownResults {
 public:
     /// Reads the complete lines of all results of the folder. Errors: malformed (path, line). Throws Cancelled.
@@ -38,7 +42,7 @@ public:
 
 private:
     struct Entry {
-        std::array<std::uint8_t, 15> key;  ///< its first bytes
+        KeyBegin key;
         Standing standing;
     };
     static_assert(sizeof(Entry) == 16);

@@ -97,7 +97,7 @@ private:
             for (const std::string& role : recipe_.varied) roles += (roles.empty() ? "" : ", ") + role;
             throw Error(errors::batchNeedsGroups, {{"path", path}, {"roles", roles}});
         }
-        parts_.push_back({path, {{recipe_.varied.front(), path}}});
+        parts_.push_back({{{recipe_.varied.front(), path}}});
     }
 
     void takeFolder(const std::string& folder)
@@ -170,7 +170,6 @@ private:
         for (const std::string& role : recipe_.varied) inputs.at(role, LT_TEXT("Engine", "the path of a file"));
         std::stable_sort(part.files.begin(), part.files.end(),
                          [&](const auto& a, const auto& b) { return placeOf(a.first) < placeOf(b.first); });
-        part.name = part.files.front().second;
         parts_.push_back(std::move(part));
     }
 

@@ -16,8 +16,9 @@
 namespace lathelier::batch {
 
 struct Part {
-    std::string name;                                        ///< path of its first file
     std::vector<std::pair<std::string, std::string>> files;  ///< key in PanelState::inputs and path; at least one
+
+    const std::string& name() const { return files.front().second; }
 };
 
 /// Errors: fileNotReadable for a folder; batchNeedsGroups where parts have several roles and no group states them;

@@ -13,7 +13,7 @@ using testing::ElementsAre;
 std::vector<std::string> namesOf(const std::vector<Part>& parts)
 {
     std::vector<std::string> names;
-    for (const Part& part : parts) names.push_back(std::filesystem::path(part.name).filename().string());
+    for (const Part& part : parts) names.push_back(std::filesystem::path(part.name()).filename().string());
     return names;
 }
 
@@ -60,7 +60,7 @@ TEST(PartList, a_list_names_files_beside_it)
     writeText(folder / "list.txt", "\n  parts/p002.txt\r\n\nparts/none.txt\n" + paths[0] + "\n");
     const std::vector<Part> parts = partsOf({(folder / "list.txt").string()}, numberRecipe(folder));
     EXPECT_THAT(namesOf(parts), ElementsAre("p002.txt", "none.txt", "p000.txt"));
-    EXPECT_EQ(parts[0].name, (folder / "parts" / "p002.txt").string());
+    EXPECT_EQ(parts[0].name(), (folder / "parts" / "p002.txt").string());
 }
 
 TEST(PartList, a_file_that_names_no_file_is_a_part)

@@ -114,8 +114,11 @@ PartRun::Answer PartRun::answer(const Part& part, archive::Evaluation begun, boo
         made.error = error;
     }
     made.is_lasting = !made.error || isLasting(*made.error);
-    for (const archive::EvaluatedInput& input : made.evaluation.inputs)
+    for (archive::EvaluatedInput& input : made.evaluation.inputs) {
         if (!isOfRecipe(input.file.path)) stores_.forget(input.file.path);
+        // The evaluation outlives the folder that it was asked from.
+        input.file.path = fs::absolute(input.file.path).lexically_normal().string();
+    }
     return made;
 }
 

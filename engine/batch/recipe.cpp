@@ -106,11 +106,17 @@ void requireContent(const RecipeFile& file, const std::string& role, const Progr
 
 }  // namespace
 
+bool hasVaried(const task::Task& task, const project::PanelState& state)
+{
+    return std::any_of(task.inputs.begin(), task.inputs.end(),
+                       [&state](const task::Input& input) { return isVaried(input, state); });
+}
+
 void requireVaried(const task::Task& task, const project::PanelState& state)
 {
+    if (hasVaried(task, state)) return;
     std::string roles;
     for (const task::Input& input : task.inputs) {
-        if (isVaried(input, state)) return;
         if (input.is_of_part && task::isOfCommandLine(input)) roles += (roles.empty() ? "" : ", ") + input.role;
     }
     if (roles.empty()) throw Error(errors::recipeOfNoPart, {{"task", task.key}});

@@ -44,6 +44,9 @@ struct Recipe {
     RecipeShop shop;                   ///< none: nothing is made
 };
 
+/// Whether the state gives an input that changes from part to part: the command line and files alike can vary it.
+bool hasVaried(const task::Task& task, const project::PanelState& state);
+
 /// The recipe of what a state asks. Reads the files of the fixed inputs. Parameters that a window alone keeps
 /// (FieldInfo::is_kept) are those of one part and are left out. Errors: recipeNothingVaries; recipeHoldsNoItem for a
 /// fixed input that is an item; recipeNamesPlace for a parameter that is the path of a file or folder; those of the

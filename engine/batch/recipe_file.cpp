@@ -249,7 +249,7 @@ LoadedRecipe loadRecipe(const std::string& path, const Tasks& tasks, const Progr
     try {
         const io::FileBytes bytes(path, progress);
         const std::string text(bytes.view());
-        LoadedRecipe loaded{readRecipe(text, fs::path(path).parent_path().string(), tasks),
+        LoadedRecipe loaded{readRecipe(text, fs::absolute(path).lexically_normal().parent_path().string(), tasks),
                             {path, static_cast<std::int64_t>(text.size()), io::sha256(text, progress)}};
         return loaded;
     } catch (Error& error) {

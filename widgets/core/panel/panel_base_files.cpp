@@ -11,6 +11,7 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "engine/batch/recipe_file.h"
 #include "engine/core/version.h"
 #include "engine/io/cloud/scan_input.h"
 #include "engine/io/file.h"
@@ -291,6 +292,10 @@ std::vector<PanelExport> PanelBase::offeredExports() const
                        const auto part = reportDocument();
                        io::writeFile(path.toStdString(), part ? report::joinedResults(part->results) : std::string());
                    }});
+    if (facts_.task && batch::hasVaried(*facts_.task, state_))
+        all.push_back({tr("Recipe for many parts (JSON)…"), tr("JSON (*.json)"), "json", [this](const QString& path) {
+                           batch::writeRecipe(path.toStdString(), batch::recipeOf(*facts_.task, state_));
+                       }});
     return all;
 }
 

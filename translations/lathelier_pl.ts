@@ -16383,6 +16383,826 @@
         <source>Motion of the workpiece axis {total:1} µm, limit {limit} µm · section {section}</source>
         <translation>Ruch osi przedmiotu {total:1} µm, granica {limit} µm · przekrój {section}</translation>
     </message>
+    <message>
+        <source>a database without the tables of an archive</source>
+        <translation>baza danych bez tabel archiwum</translation>
+    </message>
+    <message>
+        <source>The evaluation says that its key is {found}; its content gives {expected}. It was altered.</source>
+        <translation>Ocena podaje klucz {found}, a z jej treści wynika {expected}. Została zmieniona.</translation>
+    </message>
+    <message>
+        <source>The location {location} holds a password, which others could see. Put it into ~/.pgpass or into the service file.</source>
+        <translation>Położenie {location} zawiera hasło, które inni mogliby zobaczyć. Należy je wpisać do ~/.pgpass albo do pliku usług.</translation>
+    </message>
+    <message>
+        <source>The location {location} is not understood; expected {expected}.</source>
+        <translation>Położenie {location} jest niezrozumiałe; oczekiwano: {expected}.</translation>
+    </message>
+    <message>
+        <source>{location}: sslmode is {found}. Over the network expected require, verify-ca or verify-full.</source>
+        <translation>{location}: sslmode to {found}. Przez sieć oczekiwano require, verify-ca albo verify-full.</translation>
+    </message>
+    <message>
+        <source>The archive {location} cannot be opened: {reason}.</source>
+        <translation>Archiwum {location} nie daje się otworzyć: {reason}.</translation>
+    </message>
+    <message>
+        <source>The archive {location} cannot be read: {reason}.</source>
+        <translation>Archiwum {location} nie daje się odczytać: {reason}.</translation>
+    </message>
+    <message>
+        <source>The archive {location} cannot be written: {reason}.</source>
+        <translation>Do archiwum {location} nie można pisać: {reason}.</translation>
+    </message>
+    <message>
+        <source>{location} is no archive: found {found}.</source>
+        <translation>{location} nie jest archiwum: znaleziono {found}.</translation>
+    </message>
+    <message>
+        <source>The archive {location} is there already.</source>
+        <translation>Archiwum {location} już istnieje.</translation>
+    </message>
+    <message>
+        <source>The archive {location} has the version {found}; this program knows versions up to {expected}.</source>
+        <translation>Archiwum {location} ma wersję {found}; ten program zna wersje do {expected}.</translation>
+    </message>
+    <message>
+        <source>The archive {location} has the version {found} and could not be brought to version {expected}: {reason}. Who made it has to open it once.</source>
+        <translation>Archiwum {location} ma wersję {found} i nie udało się doprowadzić go do wersji {expected}: {reason}. Musi je raz otworzyć ten, kto je utworzył.</translation>
+    </message>
+    <message>
+        <source>{location} lies on {file_system}, where a file that several programs write is not safe. Use a local disk, or PostgreSQL.</source>
+        <translation>{location} leży na {file_system}, gdzie plik zapisywany przez kilka programów nie jest bezpieczny. Należy użyć dysku lokalnego albo PostgreSQL.</translation>
+    </message>
+    <message>
+        <source>The archive {location} was altered: the row {sequence} of the writer {writer} is broken ({fault}).</source>
+        <translation>Archiwum {location} zostało zmienione: wiersz {sequence} piszącego {writer} jest naruszony ({fault}).</translation>
+    </message>
+    <message>
+        <source>The rows of the writer {writer} differ from row {sequence} on: a copy of the archive was continued in two places. {location} was left as it is.</source>
+        <translation>Wiersze piszącego {writer} różnią się od wiersza {sequence}: kopia archiwum była kontynuowana w dwóch miejscach. {location} pozostawiono bez zmian.</translation>
+    </message>
+    <message>
+        <source>The recipe {sha256} is in the archive with another content.</source>
+        <translation>Receptura {sha256} jest w archiwum z inną treścią.</translation>
+    </message>
+    <message>
+        <source>{name} cannot be kept: expected UTF-8 without the character 0, of a result JSON.</source>
+        <translation>{name} nie może być zachowane: oczekiwano UTF-8 bez znaku 0, a jako wyniku JSON.</translation>
+    </message>
+    <message>
+        <source>The archive holds no evaluation {uuid}.</source>
+        <translation>W archiwum nie ma oceny {uuid}.</translation>
+    </message>
+    <message>
+        <source>Several evaluations begin with {uuid}; expected {expected}.</source>
+        <translation>Kilka ocen zaczyna się od {uuid}; oczekiwano: {expected}.</translation>
+    </message>
+    <message>
+        <source>The evaluation {uuid} is superseded by {superseded_by} already.</source>
+        <translation>Ocena {uuid} jest już zastąpiona przez {superseded_by}.</translation>
+    </message>
+    <message>
+        <source>Who replaces an evaluation states why: the reason is missing.</source>
+        <translation>Kto zastępuje ocenę, podaje dlaczego: brakuje powodu.</translation>
+    </message>
+    <message>
+        <source>The archive holds no value of {characteristic}.</source>
+        <translation>W archiwum nie ma wartości cechy {characteristic}.</translation>
+    </message>
+    <message>
+        <source>{characteristic} is a characteristic of several tasks or units: {found}. State one.</source>
+        <translation>{characteristic} jest cechą kilku zadań lub jednostek: {found}. Należy podać jedno z nich.</translation>
+    </message>
+    <message>
+        <source>The last line has no end: the file was cut. Its first characters are “{found}”.</source>
+        <translation>Ostatni wiersz nie ma końca: plik został ucięty. Jego pierwsze znaki to „{found}”.</translation>
+    </message>
+    <message>
+        <source>One evaluation takes the place of another; found {found}.</source>
+        <translation>Jedna ocena zajmuje miejsce innej; znaleziono {found}.</translation>
+    </message>
+    <message>
+        <source>{location}: this role may not make the group roles {roles}. An administrator makes them and grants them what they may do.</source>
+        <translation>{location}: ta rola nie może utworzyć ról grupowych {roles}. Tworzy je administrator i nadaje im uprawnienia.</translation>
+    </message>
+    <message>
+        <source>Archives of evaluations</source>
+        <translation>Archiwa ocen</translation>
+    </message>
+    <message>
+        <source>more characters of the UUID, at least 4</source>
+        <translation>więcej znaków UUID, co najmniej 4</translation>
+    </message>
+    <message>
+        <source>its content is not what was recorded</source>
+        <translation>jego treść nie jest tą, którą zapisano</translation>
+    </message>
+    <message>
+        <source>it does not follow the row before it</source>
+        <translation>nie następuje po poprzednim wierszu</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>brakuje go</translation>
+    </message>
+    <message>
+        <source>its place is taken twice</source>
+        <translation>jego miejsce jest zajęte dwa razy</translation>
+    </message>
+    <message>
+        <source>its values are not those of its result</source>
+        <translation>jego wartości nie są wartościami jego wyniku</translation>
+    </message>
+    <message>
+        <source>its recipe is not what was recorded</source>
+        <translation>jego receptura nie jest tą, którą zapisano</translation>
+    </message>
+    <message>
+        <source>values belong to no row</source>
+        <translation>wartości nie należą do żadnego wiersza</translation>
+    </message>
+    <message>
+        <source>a date such as 2026-11-29</source>
+        <translation>data, na przykład 2026-11-29</translation>
+    </message>
+    <message>
+        <source>postgresql://user@host/database, host=… dbname=… or service=…</source>
+        <translation>postgresql://użytkownik@host/baza, host=… dbname=… albo service=…</translation>
+    </message>
+    <message>
+        <source>it can only be read</source>
+        <translation>można z niego tylko czytać</translation>
+    </message>
+    <message>
+        <source>this role may not do that</source>
+        <translation>ta rola nie ma do tego prawa</translation>
+    </message>
+    <message>
+        <source>another program holds it</source>
+        <translation>zajmuje je inny program</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>plik jest uszkodzony</translation>
+    </message>
+    <message>
+        <source>the connection to the server was lost</source>
+        <translation>utracono połączenie z serwerem</translation>
+    </message>
+    <message>
+        <source>the server took too long</source>
+        <translation>serwer odpowiadał zbyt długo</translation>
+    </message>
+    <message>
+        <source>the server does not answer</source>
+        <translation>serwer nie odpowiada</translation>
+    </message>
+    <message>
+        <source>an empty file</source>
+        <translation>pusty plik</translation>
+    </message>
+    <message>
+        <source>a file that is no database of SQLite</source>
+        <translation>plik, który nie jest bazą SQLite</translation>
+    </message>
+    <message>
+        <source>a database of another program</source>
+        <translation>baza danych innego programu</translation>
+    </message>
+    <message>
+        <source>Evaluating the parts</source>
+        <translation>Ocena części</translation>
+    </message>
+    <message>
+        <source>The recipe was made with another content of {role}: SHA-256 is {found}, expected {expected}. Save the recipe anew, or bring the file back.</source>
+        <translation>Recepturę utworzono z inną treścią „{role}”: SHA-256 to {found}, oczekiwano {expected}. Należy zapisać recepturę na nowo albo przywrócić plik.</translation>
+    </message>
+    <message>
+        <source>The {role} of the recipe is not there; expected a file with the SHA-256 {expected}.</source>
+        <translation>Brakuje „{role}” receptury; oczekiwano pliku o SHA-256 {expected}.</translation>
+    </message>
+    <message>
+        <source>This program has no task “{found}”; it has {known}.</source>
+        <translation>Ten program nie ma zadania „{found}”; ma {known}.</translation>
+    </message>
+    <message>
+        <source>“{key}” is not known here; expected {expected}.</source>
+        <translation>„{key}” jest tu nieznane; oczekiwano: {expected}.</translation>
+    </message>
+    <message>
+        <source>The recipe has version {found}; this program reads up to version {maximum}.</source>
+        <translation>Receptura ma wersję {found}; ten program czyta do wersji {maximum}.</translation>
+    </message>
+    <message>
+        <source>{task}: nothing that was given changes from part to part; a recipe needs one of {roles}.</source>
+        <translation>{task}: nic z podanych danych nie zmienia się od części do części; receptura wymaga jednego z: {roles}.</translation>
+    </message>
+    <message>
+        <source>{task} has no input that changes from part to part: there is no recipe of it.</source>
+        <translation>{task} nie ma wejścia, które zmienia się od części do części: nie ma dla niego receptury.</translation>
+    </message>
+    <message>
+        <source>A recipe holds files: {role} is “{item}” of the project. Save it as a file, and choose that.</source>
+        <translation>Receptura zawiera pliki: „{role}” to „{item}” z projektu. Należy zapisać to jako plik i wybrać plik.</translation>
+    </message>
+    <message>
+        <source>A recipe cannot hold {parameter}: {found} is a file or folder, whose content is not that of the recipe.</source>
+        <translation>Receptura nie może zawierać {parameter}: {found} jest plikiem lub folderem, którego treść nie jest treścią receptury.</translation>
+    </message>
+    <message>
+        <source>Each part of this recipe has {roles}: state a list with one part a line, {&quot;inputs&quot;: {role: file}}.</source>
+        <translation>Każda część tej receptury ma {roles}: należy podać listę z jedną częścią w wierszu, {&quot;inputs&quot;: {role: file}}.</translation>
+    </message>
+    <message>
+        <source>The file holds the results of the recipe {found}; this one is {expected}. One folder is for one recipe.</source>
+        <translation>Plik zawiera wyniki receptury {found}; ta to {expected}. Jeden folder jest dla jednej receptury.</translation>
+    </message>
+    <message>
+        <source>Another run is writing these results.</source>
+        <translation>Te wyniki zapisuje inny przebieg.</translation>
+    </message>
+    <message>
+        <source>The folder remembers no earlier run: state the recipe and the files.</source>
+        <translation>Folder nie pamięta wcześniejszego przebiegu: należy podać recepturę i pliki.</translation>
+    </message>
+    <message>
+        <source>Parts without an answer: {failed} of {parts}; {file} says why.</source>
+        <translation>Części bez odpowiedzi: {failed} z {parts}; powody są w {file}.</translation>
+    </message>
+    <message>
+        <source>{path} has the content of {other}: it was evaluated once.</source>
+        <translation>{path} ma treść {other}: oceniono to raz.</translation>
+    </message>
+    <message>
+        <source>Further parts with the content of another: {count}.</source>
+        <translation>Dalsze części o treści innej części: {count}.</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Części</translation>
+    </message>
+    <message>
+        <source>within tolerance</source>
+        <translation>w tolerancji</translation>
+    </message>
+    <message>
+        <source>out of tolerance</source>
+        <translation>poza tolerancją</translation>
+    </message>
+    <message>
+        <source>answered without a verdict</source>
+        <translation>z odpowiedzią bez orzeczenia</translation>
+    </message>
+    <message>
+        <source>without an answer</source>
+        <translation>bez odpowiedzi</translation>
+    </message>
+    <message>
+        <source>with the content of another</source>
+        <translation>o treści innej części</translation>
+    </message>
+    <message>
+        <source>taken over from an earlier run</source>
+        <translation>przejęte z wcześniejszego przebiegu</translation>
+    </message>
+    <message>
+        <source>Parts without an answer</source>
+        <translation>Części bez odpowiedzi</translation>
+    </message>
+    <message>
+        <source>Exit code</source>
+        <translation>Kod wyjścia</translation>
+    </message>
+    <message>
+        <source>A recipe over many parts</source>
+        <translation>Receptura dla wielu części</translation>
+    </message>
+    <message>
+        <source>it does not open</source>
+        <translation>nie otwiera się</translation>
+    </message>
+    <message>
+        <source>an evaluation on one line</source>
+        <translation>ocena w jednym wierszu</translation>
+    </message>
+    <message>
+        <source>a recipe and its SHA-256</source>
+        <translation>receptura i jej SHA-256</translation>
+    </message>
+    <message>
+        <source>the inputs of a part by their roles</source>
+        <translation>wejścia części według ról</translation>
+    </message>
+    <message>
+        <source>at least one file</source>
+        <translation>co najmniej jeden plik</translation>
+    </message>
+    <message>
+        <source>the path of a file</source>
+        <translation>ścieżka pliku</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>wejście</translation>
+    </message>
+    <message>
+        <source>a SHA-256 of 64 hexadecimal digits</source>
+        <translation>SHA-256 o 64 cyfrach szesnastkowych</translation>
+    </message>
+    <message>
+        <source>a SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>a reading option</source>
+        <translation>opcja odczytu</translation>
+    </message>
+    <message>
+        <source>each role once</source>
+        <translation>każda rola raz</translation>
+    </message>
+    <message>
+        <source>at least one role</source>
+        <translation>co najmniej jedna rola</translation>
+    </message>
+    <message>
+        <source>a name, or path and sha256</source>
+        <translation>nazwa albo path i sha256</translation>
+    </message>
+    <message>
+        <source>the name of a command</source>
+        <translation>nazwa polecenia</translation>
+    </message>
+    <message>
+        <source>a version</source>
+        <translation>wersja</translation>
+    </message>
+    <message>
+        <source>a list of roles</source>
+        <translation>lista ról</translation>
+    </message>
+    <message>
+        <source>a parameter of the task</source>
+        <translation>parametr zadania</translation>
+    </message>
+    <message>
+        <source>the path of a recipe</source>
+        <translation>ścieżka receptury</translation>
+    </message>
+    <message>
+        <source>a list of paths</source>
+        <translation>lista ścieżek</translation>
+    </message>
+    <message>
+        <source>i/n with i from 1 to n, such as 3/10</source>
+        <translation>i/n z i od 1 do n, na przykład 3/10</translation>
+    </message>
+    <message>
+        <source>Queueing parts</source>
+        <translation>Ustawianie części w kolejce</translation>
+    </message>
+    <message>
+        <source>The recipe is another one than when the part was queued: {found}, expected {expected}.</source>
+        <translation>Receptura jest inna niż przy ustawianiu części w kolejce: {found}, oczekiwano {expected}.</translation>
+    </message>
+    <message>
+        <source>The files of the part have another content than when it was queued.</source>
+        <translation>Pliki części mają inną treść niż przy ustawianiu jej w kolejce.</translation>
+    </message>
+    <message>
+        <source>{tries} workers were lost while they worked on this part; the last was {worker}.</source>
+        <translation>Podczas pracy nad tą częścią utracono {tries} wykonawców; ostatnim był {worker}.</translation>
+    </message>
+    <message>
+        <source>Parts without an answer: {failed}; the list of failures says why.</source>
+        <translation>Części bez odpowiedzi: {failed}; powody są na liście niepowodzeń.</translation>
+    </message>
+    <message>
+        <source>Waiting for parts</source>
+        <translation>Oczekiwanie na części</translation>
+    </message>
+    <message>
+        <source>Scanning the parts</source>
+        <translation>Skanowanie części</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>bez zmian</translation>
+    </message>
+    <message>
+        <source>changed since</source>
+        <translation>od tego czasu zmieniona</translation>
+    </message>
+    <message>
+        <source>not there any more</source>
+        <translation>już nie istnieje</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Wartości</translation>
+    </message>
+    <message>
+        <source>… with a limit</source>
+        <translation>… z granicą</translation>
+    </message>
+    <message>
+        <source>… out of tolerance</source>
+        <translation>… poza tolerancją</translation>
+    </message>
+    <message>
+        <source>… that cannot be decided</source>
+        <translation>… których nie można rozstrzygnąć</translation>
+    </message>
+    <message>
+        <source>Pp (limits over 6 s)</source>
+        <translation>Pp (granice przez 6 s)</translation>
+    </message>
+    <message>
+        <source>Ppk (nearer limit over 3 s)</source>
+        <translation>Ppk (bliższa granica przez 3 s)</translation>
+    </message>
+    <message>
+        <source>Lower control limit</source>
+        <translation>Dolna granica kontrolna</translation>
+    </message>
+    <message>
+        <source>Upper control limit</source>
+        <translation>Górna granica kontrolna</translation>
+    </message>
+    <message>
+        <source>Values outside the control limits</source>
+        <translation>Wartości poza granicami kontrolnymi</translation>
+    </message>
+    <message>
+        <source>Most values in succession on one side of the mean</source>
+        <translation>Najwięcej kolejnych wartości po jednej stronie średniej</translation>
+    </message>
+    <message>
+        <source>Most values in succession that rise or fall</source>
+        <translation>Najwięcej kolejnych wartości rosnących lub malejących</translation>
+    </message>
+    <message>
+        <source>In statistical control</source>
+        <translation>Proces ustabilizowany</translation>
+    </message>
+    <message>
+        <source>Drift over 100 parts</source>
+        <translation>Dryf na 100 części</translation>
+    </message>
+    <message>
+        <source>… its uncertainty (95 %)</source>
+        <translation>… jego niepewność (95 %)</translation>
+    </message>
+    <message>
+        <source>The archive has no value of {characteristic} that satisfies what was asked for.</source>
+        <translation>Archiwum nie ma wartości cechy {characteristic}, która spełnia to, o co pytano.</translation>
+    </message>
+    <message>
+        <source>The archive has no evaluations with numbers yet.</source>
+        <translation>Archiwum nie ma jeszcze ocen z liczbami.</translation>
+    </message>
+    <message>
+        <source>The limits of the characteristic differ within the series: no capability is stated.</source>
+        <translation>Granice cechy różnią się w obrębie serii: zdolności nie podano.</translation>
+    </message>
+    <message>
+        <source>{count} values are few for a capability; at least {least} are usual.</source>
+        <translation>{count} wartości to mało jak na zdolność; zwykle bierze się co najmniej {least}.</translation>
+    </message>
+    <message>
+        <source>The series is not in statistical control: what its capability says of later parts is uncertain.</source>
+        <translation>Proces nie jest ustabilizowany: to, co zdolność mówi o późniejszych częściach, jest niepewne.</translation>
+    </message>
+    <message>
+        <source>The latest {count} values are taken; there may be earlier ones.</source>
+        <translation>Wzięto {count} ostatnich wartości; mogą istnieć wcześniejsze.</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archiwum</translation>
+    </message>
+    <message>
+        <source>File of the archive, or its database: postgresql://HOST/NAME, service=NAME.</source>
+        <translation>Plik archiwum albo jego baza danych: postgresql://HOST/NAZWA, service=NAZWA.</translation>
+    </message>
+    <message>
+        <source>Characteristic</source>
+        <translation>Cecha</translation>
+    </message>
+    <message>
+        <source>Its key, such as zones.seat.mean_mm; empty: the answer of the task.</source>
+        <translation>Jej klucz, na przykład zones.seat.mean_mm; puste: odpowiedź zadania.</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Zadanie</translation>
+    </message>
+    <message>
+        <source>Of which the characteristic is: compare, roundness…; empty: that of the latest evaluation.</source>
+        <translation>Którego jest to cecha: compare, roundness…; puste: zadanie ostatniej oceny.</translation>
+    </message>
+    <message>
+        <source>First date, such as 2026-11-29.</source>
+        <translation>Pierwsza data, na przykład 2026-11-29.</translation>
+    </message>
+    <message>
+        <source>Last date, included.</source>
+        <translation>Ostatnia data, włącznie.</translation>
+    </message>
+    <message>
+        <source>Most values</source>
+        <translation>Najwięcej wartości</translation>
+    </message>
+    <message>
+        <source>The latest so many.</source>
+        <translation>Tyle ostatnich.</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Receptura</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the recipe; empty: any.</source>
+        <translation>SHA-256 receptury; puste: dowolna.</translation>
+    </message>
+    <message>
+        <source>Shown in detail: the UUID of its evaluation, or its beginning; empty: the latest.</source>
+        <translation>Pokazana w szczegółach: UUID jej oceny albo jego początek; puste: ostatnia.</translation>
+    </message>
+    <message>
+        <source>lower limit</source>
+        <translation>dolna granica</translation>
+    </message>
+    <message>
+        <source>upper limit</source>
+        <translation>górna granica</translation>
+    </message>
+    <message>
+        <source>control limits</source>
+        <translation>granice kontrolne</translation>
+    </message>
+    <message>
+        <source>Part {number}, {file}: {value} {unit}</source>
+        <translation>Część {number}, {file}: {value} {unit}</translation>
+    </message>
+    <message>
+        <source>Answer of {task}</source>
+        <translation>Odpowiedź zadania {task}</translation>
+    </message>
+    <message>
+        <source>Number of the part in the order of time</source>
+        <translation>Numer części w kolejności czasu</translation>
+    </message>
+    <message>
+        <source>± U</source>
+        <translation>± U</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>część</translation>
+    </message>
+    <message>
+        <source>time (UTC)</source>
+        <translation>czas (UTC)</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>plik</translation>
+    </message>
+    <message>
+        <source>Characteristics of the archive</source>
+        <translation>Cechy w archiwum</translation>
+    </message>
+    <message>
+        <source>task</source>
+        <translation>zadanie</translation>
+    </message>
+    <message>
+        <source>characteristic</source>
+        <translation>cecha</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>klucz</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>jednostka</translation>
+    </message>
+    <message>
+        <source>latest value (UTC)</source>
+        <translation>ostatnia wartość (UTC)</translation>
+    </message>
+    <message>
+        <source>Part in detail</source>
+        <translation>Część w szczegółach</translation>
+    </message>
+    <message>
+        <source>Evaluated (UTC)</source>
+        <translation>Oceniono (UTC)</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Osoba</translation>
+    </message>
+    <message>
+        <source>Calibrated on</source>
+        <translation>Wzorcowano</translation>
+    </message>
+    <message>
+        <source>Version of the program</source>
+        <translation>Wersja programu</translation>
+    </message>
+    <message>
+        <source>Recipe (SHA-256)</source>
+        <translation>Receptura (SHA-256)</translation>
+    </message>
+    <message>
+        <source>… its content</source>
+        <translation>… jego treść</translation>
+    </message>
+    <message>
+        <source>Supersedes</source>
+        <translation>Zastępuje</translation>
+    </message>
+    <message>
+        <source>Row in the archive</source>
+        <translation>Wiersz w archiwum</translation>
+    </message>
+    <message>
+        <source>Its SHA-256</source>
+        <translation>Jego SHA-256</translation>
+    </message>
+    <message>
+        <source>Characteristics of the part</source>
+        <translation>Cechy części</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Seria</translation>
+    </message>
+    <message>
+        <source>part {number} of {count}, {file}</source>
+        <translation>część {number} z {count}, {file}</translation>
+    </message>
+    <message>
+        <source>{out} of {count} parts out of tolerance; mean {mean} {unit}, Ppk {Ppk}, in control.</source>
+        <translation>{out} z {count} części poza tolerancją; średnia {mean} {unit}, Ppk {Ppk}, proces ustabilizowany.</translation>
+    </message>
+    <message>
+        <source>{out} of {count} parts out of tolerance; mean {mean} {unit}, Ppk {Ppk}, not in control.</source>
+        <translation>{out} z {count} części poza tolerancją; średnia {mean} {unit}, Ppk {Ppk}, proces nieustabilizowany.</translation>
+    </message>
+    <message>
+        <source>{out} of {count} parts out of tolerance; mean {mean} {unit}.</source>
+        <translation>{out} z {count} części poza tolerancją; średnia {mean} {unit}.</translation>
+    </message>
+    <message>
+        <source>{count} parts without a limit; mean {mean} {unit}.</source>
+        <translation>{count} części bez granicy; średnia {mean} {unit}.</translation>
+    </message>
+    <message>
+        <source>an archive</source>
+        <translation>archiwum</translation>
+    </message>
+    <message>
+        <source>Reading the archive</source>
+        <translation>Odczyt archiwum</translation>
+    </message>
+    <message>
+        <source>Reading the pictures</source>
+        <translation>Odczyt obrazów</translation>
+    </message>
+    <message>
+        <source>Drop an archive of evaluations here, or state its database.</source>
+        <translation>Upuść tu archiwum ocen albo podaj jego bazę danych.</translation>
+    </message>
+    <message>
+        <source>nothing behind the archive</source>
+        <translation>nic za archiwum</translation>
+    </message>
+    <message>
+        <source>Made: {location}</source>
+        <translation>Utworzono: {location}</translation>
+    </message>
+    <message>
+        <source>the files of results to add</source>
+        <translation>pliki wyników do dodania</translation>
+    </message>
+    <message>
+        <source>--supersedes beside it</source>
+        <translation>obok tego --supersedes</translation>
+    </message>
+    <message>
+        <source>Added: {added}. Already there: {already_there}. Superseded: {superseded}.</source>
+        <translation>Dodano: {added}. Już były: {already_there}. Zastąpiono: {superseded}.</translation>
+    </message>
+    <message>
+        <source>one UUID, or its first characters</source>
+        <translation>jeden UUID albo jego pierwsze znaki</translation>
+    </message>
+    <message>
+        <source>the key of one characteristic</source>
+        <translation>klucz jednej cechy</translation>
+    </message>
+    <message>
+        <source>a file for the lines where --json is given</source>
+        <translation>plik na wiersze, jeżeli podano --json</translation>
+    </message>
+    <message>
+        <source>Lines written: {lines}</source>
+        <translation>Zapisane wiersze: {lines}</translation>
+    </message>
+    <message>
+        <source>the archive that the rows go to</source>
+        <translation>archiwum, do którego idą wiersze</translation>
+    </message>
+    <message>
+        <source>Pushed: {pushed}. Already there: {already_there}.</source>
+        <translation>Przesłano: {pushed}. Już były: {already_there}.</translation>
+    </message>
+    <message>
+        <source>create, add, list, show, characteristics, series, export, verify or push</source>
+        <translation>create, add, list, show, characteristics, series, export, verify albo push</translation>
+    </message>
+    <message>
+        <source>Time (UTC)</source>
+        <translation>Czas (UTC)</translation>
+    </message>
+    <message>
+        <source>Superseded by</source>
+        <translation>Zastąpione przez</translation>
+    </message>
+    <message>
+        <source>Evaluations</source>
+        <translation>Oceny</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Wersja</translation>
+    </message>
+    <message>
+        <source>Writer</source>
+        <translation>Piszący</translation>
+    </message>
+    <message>
+        <source>Place in the chain</source>
+        <translation>Miejsce w łańcuchu</translation>
+    </message>
+    <message>
+        <source>Hash</source>
+        <translation>Skrót</translation>
+    </message>
+    <message>
+        <source>Evaluation</source>
+        <translation>Ocena</translation>
+    </message>
+    <message>
+        <source>Last value (UTC)</source>
+        <translation>Ostatnia wartość (UTC)</translation>
+    </message>
+    <message>
+        <source>Characteristics</source>
+        <translation>Cechy</translation>
+    </message>
+    <message>
+        <source>Rows checked</source>
+        <translation>Sprawdzone wiersze</translation>
+    </message>
+    <message>
+        <source>Last hash</source>
+        <translation>Ostatni skrót</translation>
+    </message>
+    <message>
+        <source>Chains</source>
+        <translation>Łańcuchy</translation>
+    </message>
+    <message>
+        <source>All rows are what was recorded.</source>
+        <translation>Wszystkie wiersze są takie, jak je zapisano.</translation>
+    </message>
+    <message>
+        <source>BROKEN: the row {sequence} of the writer {writer} ({uuid}): {fault}.</source>
+        <translation>NARUSZONY: wiersz {sequence} piszącego {writer} ({uuid}): {fault}.</translation>
+    </message>
+    <message>
+        <source>a recipe, or --resume</source>
+        <translation>receptura albo --resume</translation>
+    </message>
+    <message>
+        <source>files, folders or lists, or --resume</source>
+        <translation>pliki, foldery albo listy, albo --resume</translation>
+    </message>
+    <message>
+        <source>a recipe, and files, folders or lists</source>
+        <translation>receptura oraz pliki, foldery albo listy</translation>
+    </message>
+    <message>
+        <source>add, work, show or retry</source>
+        <translation>add, work, show albo retry</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>
@@ -17125,6 +17945,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Finding</source>
         <translation>Wykryty błąd</translation>
+    </message>
+    <message>
+        <source>Recipe for many parts (JSON)…</source>
+        <translation>Receptura dla wielu części (JSON)…</translation>
     </message>
 </context>
 <context>
@@ -19357,6 +20181,60 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Show all</source>
         <translation>Pokaż całość</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::series_panel::SeriesPanel</name>
+    <message>
+        <source>Choose a part</source>
+        <translation>Wybór części</translation>
+    </message>
+    <message>
+        <source>Choose a characteristic</source>
+        <translation>Wybór cechy</translation>
+    </message>
+    <message>
+        <source>Open an archived evaluation</source>
+        <translation>Otwarcie oceny z archiwum</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::series_panel::SeriesViews</name>
+    <message>
+        <source>Its files are not there any more, or were changed; the numbers are those of then.</source>
+        <translation>Jej pliki już nie istnieją albo zostały zmienione; liczby są tymi z tamtego dnia.</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>W czasie</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Odchyłki</translation>
+    </message>
+    <message>
+        <source>Part in detail</source>
+        <translation>Część w szczegółach</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Wartości</translation>
+    </message>
+    <message>
+        <source>Characteristics</source>
+        <translation>Cechy</translation>
+    </message>
+    <message>
+        <source>Deviation pictures of the latest parts</source>
+        <translation>Obrazy odchyłek ostatnich części</translation>
+    </message>
+    <message>
+        <source>Characteristics of the part</source>
+        <translation>Cechy części</translation>
+    </message>
+    <message>
+        <source>Open this evaluation</source>
+        <translation>Otwórz tę ocenę</translation>
     </message>
 </context>
 <context>

@@ -29,7 +29,8 @@ public:
     double number(int column) const override { return sqlite3_column_double(statement_, column); }
     std::string_view text(int column) const override
     {
-        const auto* bytes = static_cast<const char*>(static_cast<const void*>(sqlite3_column_text(statement_, column)));
+        // As bytes: of a text that is asked for as such SQLite makes a copy, for the zero behind it.
+        const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_, column));
         if (bytes == nullptr) return {};
         return {bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))};
     }

@@ -122,8 +122,8 @@ void runCreate(const Asked& asked)
 {
     noWord(asked);
     const Archive made = asked.open(Access::Create);
-    const std::string location = made.location();
-    asked.answer.json = [location] { return Json{{"location", location}}; };
+    const std::string& location = made.location();
+    asked.answer.json = [location = std::string(location)] { return Json{{"location", location}}; };
     asked.answer.summary = fill(text(LT_TEXT("Engine", "Made: {location}")), {{"location", location}}) + "\n";
 }
 

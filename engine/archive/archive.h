@@ -193,7 +193,8 @@ public:
 
     /// The values of one characteristic in the order of time, without superseded ones: the latest `most` of them.
     /// `task` of the filter is needed where several tasks have a characteristic of this key (else error
-    /// characteristicAmbiguous; characteristicNotFound). 10 000 of 10 million values take about 30 ms.
+    /// characteristicAmbiguous; characteristicNotFound). 10 000 of 10 million values take 5 ms (SQLite) to 25 ms
+    /// (PostgreSQL).
     std::vector<SeriesPoint> series(const std::string& characteristic, const Filter& filter = {},
                                     const Progress& progress = {}) const;
 

@@ -61,11 +61,12 @@ Conditions conditionsOf(const Filter& filter)
     if (!filter.recipe_sha256.empty()) conditions.add("e.recipe_sha256 = ", filter.recipe_sha256);
     if (filter.verdict) conditions.add("e.verdict = ", std::string(lathelier::key(*filter.verdict)));
     conditions.addDates("e.recorded_at", filter);
+    // Row by row, from the latest on. With the OFFSET PostgreSQL keeps to that, and does not join all rows first.
     if (!filter.characteristic.empty())
         conditions.add(
             "EXISTS (SELECT 1 FROM characteristic c CROSS JOIN measured m WHERE c.task = e.task AND m.characteristic = "
             "c.id AND m.recorded_at = e.recorded_at AND m.sequence = e.sequence AND m.evaluation = e.uuid AND c.key = ",
-            filter.characteristic, ")");
+            filter.characteristic, " LIMIT 1 OFFSET 0)");
     return conditions;
 }
 
@@ -189,18 +190,22 @@ std::vector<SeriesPoint> Archive::series(const std::string& characteristic, cons
                        filter.recipe_sha256, ")");
     if (connection.word("SELECT uuid FROM evaluation WHERE supersedes IS NOT NULL LIMIT 1"))
         conditions.add("NOT EXISTS (SELECT 1 FROM evaluation s WHERE s.supersedes = m.evaluation)");
+    // The latest so many are found from behind.
+    const bool is_from_behind = filter.most > 0;
+    const std::string order = is_from_behind
+                                  ? " ORDER BY m.recorded_at DESC, m.sequence DESC, m.evaluation DESC, m.place DESC"
+                                  : " ORDER BY m.recorded_at, m.sequence, m.evaluation, m.place";
     const std::string limit = conditions.limit(filter.most);
     std::vector<SeriesPoint> points;
     connection.each(
         "SELECT m.evaluation, m.recorded_at, m.file, m.value, m.expanded_uncertainty, m.lower_limit, m.upper_limit, "
         "m.verdict FROM measured m" +
-            conditions.text() + " ORDER BY m.recorded_at DESC, m.sequence DESC, m.evaluation DESC, m.place DESC" +
-            limit,
+            conditions.text() + order + limit,
         conditions.parameters(), [&points](const RowView& view) {
             points.push_back({view.string(0), view.string(1), view.string(2), view.number(3), view.numberIfAny(4),
                               view.numberIfAny(5), view.numberIfAny(6), verdictOf(view.text(7))});
         });
-    std::reverse(points.begin(), points.end());
+    if (is_from_behind) std::reverse(points.begin(), points.end());
     return points;
 }
 

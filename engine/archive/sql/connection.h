@@ -1,6 +1,8 @@
 // One connection to an SQL database, SQLite or PostgreSQL: statements with parameters, and transactions. What differs
 // between the two is asked from dialect(); statements that both understand are written once.
 //
+// One caller at a time; the callers see to it.
+//
 // Parameters are $1, $2… in both. Statements of each(), execute() and change() are prepared once and kept. Numbers pass
 // exactly; text is UTF-8 without NUL.
 //

@@ -164,9 +164,18 @@ bool isThisMachine(std::string_view host)
     return is_number && host.starts_with("127.");
 }
 
-bool requiresTls(std::string_view sslmode)
+std::optional<std::string> demandedTls(std::string_view hosts, const std::string& mode, bool is_stated)
 {
-    return sslmode == "require" || sslmode == "verify-ca" || sslmode == "verify-full";
+    bool is_local = true;
+    for (std::size_t from = 0; from != std::string_view::npos;) {
+        const std::size_t to = hosts.find(',', from);
+        is_local = is_local && isThisMachine(hosts.substr(from, to - from));
+        from = to == std::string_view::npos ? to : to + 1;
+    }
+    if (is_local) return std::string();
+    if (mode == "require" || mode == "verify-ca" || mode == "verify-full") return mode;
+    if (is_stated) return std::nullopt;
+    return "verify-full";
 }
 
 }  // namespace lathelier::archive::sql

@@ -1,6 +1,7 @@
 // Where an archive lies: the path of a file, or a database as libpq names it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,7 +20,9 @@ bool statesPassword(const std::string& location);
 /// A socket of this machine or a loopback address: "", "/run/postgresql", "@name", "localhost", "127.…", "::1".
 bool isThisMachine(std::string_view host);
 
-/// Whether sslmode protects what is sent: require, verify-ca, verify-full.
-bool requiresTls(std::string_view sslmode);
+/// What sslmode is to be. `hosts` are those that libpq will try ("a,b"), `mode` what it would take, `is_stated` whether
+/// somebody chose that. Empty: as it is, for all are on this machine. Else one that requires TLS: verify-full where
+/// none was stated. None: one was stated that does not require it.
+std::optional<std::string> demandedTls(std::string_view hosts, const std::string& mode, bool is_stated);
 
 }  // namespace lathelier::archive::sql

@@ -46,18 +46,6 @@ std::string valueOf(const PQconninfoOption* options, std::string_view key)
     return {};
 }
 
-/// "a,b" is two hosts.
-bool isAllLocal(const std::string& hosts)
-{
-    std::size_t from = 0;
-    while (true) {
-        const std::size_t to = hosts.find(',', from);
-        if (!isThisMachine(std::string_view(hosts).substr(from, to - from))) return false;
-        if (to == std::string::npos) return true;
-        from = to + 1;
-    }
-}
-
 class PostgresRow final : public RowView {
 public:
     explicit PostgresRow(const PGresult* result) : result_(result) {}
@@ -267,20 +255,19 @@ Link started(const std::string& location, const char* sslmode)
     return {PQconnectStartParams(settings.keys.data(), settings.values.data(), 1), &PQfinish};
 }
 
-/// What sslmode is to be; none: all is on this machine. Of a mode that only a service file states, and that libpq takes
-/// without one, cannot be told that it was stated: it becomes verify-full too.
-std::optional<std::string> demandedMode(PGconn* link, const std::string& location, const std::string& shown)
+/// What sslmode is to be; empty: as it is. Of a mode that only a service file states, and that libpq takes without one,
+/// cannot be told that it was stated: it becomes verify-full too.
+std::string demandedMode(PGconn* link, const std::string& location, const std::string& shown)
 {
     const Options effective(PQconninfo(link), &PQconninfoFree);
-    const std::string address = valueOf(effective.get(), "hostaddr");
-    if (isAllLocal(address.empty() ? valueOf(effective.get(), "host") : address)) return std::nullopt;
-    const std::string mode = valueOf(effective.get(), "sslmode");
-    if (requiresTls(mode)) return mode;
     const Options stated(PQconninfoParse(location.c_str(), nullptr), &PQconninfoFree);
+    const std::string address = valueOf(effective.get(), "hostaddr");
+    const std::string mode = valueOf(effective.get(), "sslmode");
     const bool is_stated =
         !valueOf(stated.get(), "sslmode").empty() || std::getenv("PGSSLMODE") != nullptr || mode != "prefer";
-    if (is_stated) throw Error(errors::tlsRequired, {{"location", shown}, {"found", mode}});
-    return "verify-full";
+    const auto demanded = demandedTls(address.empty() ? valueOf(effective.get(), "host") : address, mode, is_stated);
+    if (!demanded) throw Error(errors::tlsRequired, {{"location", shown}, {"found", mode}});
+    return *demanded;
 }
 
 int connectTime_s(PGconn* link)
@@ -324,7 +311,8 @@ std::unique_ptr<Connection> openPostgres(const std::string& location, bool is_re
                      {"expected", LT_TEXT("Engine", "postgresql://user@host/database, host=… dbname=… or service=…")}});
     Link link = started(location, nullptr);
     if (!link) throw Error(errors::archiveNotOpened, {{"location", shown}, {"reason", reasons::memory}});
-    if (const auto mode = demandedMode(link.get(), location, shown)) link = started(location, mode->c_str());
+    if (const std::string mode = demandedMode(link.get(), location, shown); !mode.empty())
+        link = started(location, mode.c_str());
     connect(link.get(), shown, progress);
     PQsetNoticeProcessor(
         link.get(), [](void*, const char*) {}, nullptr);

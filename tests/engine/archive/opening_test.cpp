@@ -62,6 +62,18 @@ TEST(Location, of_this_machine_is_told_from_the_network)
     EXPECT_EQ(codeOf([] { Archive::open("host=a nonsense", Access::Read); }), "location_unclear");
 }
 
+TEST(Location, over_the_network_needs_tls)
+{
+    EXPECT_EQ(sql::demandedTls("shop", "prefer", false), "verify-full");
+    EXPECT_EQ(sql::demandedTls("shop", "require", true), "require");
+    EXPECT_EQ(sql::demandedTls("shop", "verify-ca", true), "verify-ca");
+    for (const char* mode : {"disable", "allow", "prefer"}) EXPECT_FALSE(sql::demandedTls("shop", mode, true)) << mode;
+    EXPECT_EQ(sql::demandedTls("localhost", "disable", true), "");
+    EXPECT_EQ(sql::demandedTls("", "prefer", false), "");
+    EXPECT_EQ(sql::demandedTls("/run/postgresql,127.0.0.1", "prefer", false), "");
+    EXPECT_EQ(sql::demandedTls("/run/postgresql,shop", "prefer", false), "verify-full");
+}
+
 TEST(FileSystem, of_a_network_is_known_by_its_magic)
 {
     EXPECT_EQ(networkFileSystem(0x6969, "nfs4"), "NFS");

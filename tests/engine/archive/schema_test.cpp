@@ -97,6 +97,22 @@ TEST_P(Migration, the_queue_of_a_batch_has_its_table)
     EXPECT_EQ(raw->change("UPDATE job SET state = 'running', worker = 'w', tries = tries + 1"), 1);
 }
 
+TEST(Queue, two_workers_of_a_database_take_different_jobs)
+{
+    const std::string location = PostgresServer::instance().newDatabase();
+    Archive first = Archive::open(location, Access::Create), second = Archive::open(location, Access::Write);
+    for (const char* key : {"a", "b"})
+        first.connection().change(
+            "INSERT INTO job (job, recipe_sha256, input, key, state) VALUES "
+            "('f81d4fae-7dec-41d0-a765-00a0c91e6bf6', 'r', '{}', $1, 'waiting')",
+            {std::string(key)});
+    const std::string take = "SELECT key FROM job WHERE state = 'waiting' ORDER BY id FOR UPDATE SKIP LOCKED LIMIT 1";
+    const sql::Transaction one(first.connection(), sql::TransactionKind::Write);
+    const sql::Transaction other(second.connection(), sql::TransactionKind::Write);
+    EXPECT_EQ(first.connection().word(take), "a");
+    EXPECT_EQ(second.connection().word(take), "b");
+}
+
 INSTANTIATE_TEST_SUITE_P(Databases, Migration, ::testing::Values(Backend::Sqlite, Backend::Postgres), backendName);
 
 }  // namespace

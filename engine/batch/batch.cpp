@@ -151,8 +151,9 @@ private:
             outcome.failure = failure(place, toError(problem));
         }
         ordered.turn(place, [&] { decide(place, key, outcome); });
-        if (outcome.kind == Kind::Computed) compute(place, std::move(begun), outcome);
-        if (outcome.kind == Kind::TakenOver && lacksReport(place, outcome))
+        if (outcome.kind == Kind::Computed)
+            compute(place, std::move(begun), outcome);
+        else if (outcome.kind == Kind::TakenOver && lacksReport(place, outcome))
             writeReport(place, std::move(begun), outcome);
         return outcome;
     }

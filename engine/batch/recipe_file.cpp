@@ -61,7 +61,7 @@ Values described(const io::JsonCursor& object, const std::vector<FieldInfo>& fie
 
 std::string digestFrom(const io::JsonCursor& member)
 {
-    const std::string digest = member.string();
+    std::string digest = member.string();
     const auto is_hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
     if (digest.size() != digestLength || !std::all_of(digest.begin(), digest.end(), is_hex))
         member.reject(LT_TEXT("Engine", "a SHA-256 of 64 hexadecimal digits"));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <list>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -77,8 +78,9 @@ public:
     /// and has changed.
     Pointer load(const project::Source& source, const Progress& progress = {})
     {
-        if (Pointer there = knownOrOurs(source, progress)) return there;
-        const Reading reading{*this, source};
+        const Turn turn = knownOrOurs(source, progress);
+        if (turn.there) return turn.there;
+        const Reading reading{*this, turn.place};
         const std::string stamp = io::fileStamp(source.path);
         io::InputFiles inputs;
         auto loaded = std::make_shared<Loaded<File>>();
@@ -149,27 +151,32 @@ private:
         Pointer loaded;          ///< never null
     };
 
+    using Place = std::list<project::Source>::const_iterator;
+
     /// Ends the reading of a file, with content or without.
     struct Reading {
         FileCache& cache;
-        const project::Source& source;  ///< being read
+        Place place;
 
         ~Reading()
         {
             const std::lock_guard lock(cache.mutex_);
-            const auto same = [this](const project::Source& one) { return sameFile(one, source); };
-            const auto place = std::find_if(cache.reading_.begin(), cache.reading_.end(), same);
-            if (place != cache.reading_.end()) cache.reading_.erase(place);
+            cache.reading_.erase(place);
             cache.read_.notify_all();
         }
     };
 
-    /// The content, after the end of a reading under way; nullptr: the caller reads the file, and says so here.
-    Pointer knownOrOurs(const project::Source& source, const Progress& progress)
+    struct Turn {
+        Pointer there;  ///< null: the caller reads the file
+        Place place;    ///< in reading_, where the caller reads it
+    };
+
+    /// The content, after the end of a reading under way.
+    Turn knownOrOurs(const project::Source& source, const Progress& progress)
     {
         std::unique_lock lock(mutex_);
         for (;;) {
-            if (Pointer there = found(source)) return there;
+            if (Pointer there = found(source)) return {there, {}};
             if (std::none_of(reading_.begin(), reading_.end(),
                              [&](const project::Source& one) { return sameFile(one, source); }))
                 break;
@@ -178,8 +185,7 @@ private:
             progress.check();
             lock.lock();
         }
-        reading_.push_back(source);
-        return nullptr;
+        return {nullptr, reading_.insert(reading_.end(), source)};
     }
 
     /// With the lock held, likewise drop().
@@ -207,7 +213,7 @@ private:
     std::size_t capacity_;
     mutable std::mutex mutex_;
     std::condition_variable read_;          ///< notified when a reading has ended
-    std::vector<project::Source> reading_;  ///< being read
+    std::list<project::Source> reading_;    ///< being read
     std::vector<Entry> entries_;            ///< cached entries, oldest first
     std::map<std::string, FileSeen> seen_;  ///< state of all files read, by path
 };

@@ -54,7 +54,6 @@ void takeInput(const std::string& text, Job& job)
     job.recipe_path = input.at("recipe").get<std::string>();
     for (const Json& file : input.at("files"))
         job.part.files.emplace_back(file.at(0).get<std::string>(), file.at(1).get<std::string>());
-    job.part.name = job.part.files.front().second;
 }
 
 void write(archive::Archive& archive, const std::function<void(sql::Connection&)>& work)
@@ -114,7 +113,7 @@ Queued enqueue(archive::Archive& archive, const std::string& recipe_path, const 
             try {
                 rows.emplace_back(run.begin(parts[i]).key(), inputOf(recipe_path, parts[i]));
             } catch (const Error& error) {
-                made.failures.push_back(batch::failureOf(i, parts[i].name, error));
+                made.failures.push_back(batch::failureOf(i, parts[i].name(), error));
             }
         }
         write(archive, [&](sql::Connection& connection) {
@@ -203,7 +202,7 @@ QueueState stateOf(archive::Archive& archive)
                     [&](const sql::RowView& row) {
                         Job job;
                         takeInput(row.string(0), job);
-                        state.failures.push_back({job.part.name, row.integer(1), row.string(2)});
+                        state.failures.push_back({job.part.name(), row.integer(1), row.string(2)});
                     });
     return state;
 }

@@ -104,7 +104,7 @@ private:
 archive::Evaluation begun(const Job& job, const batch::PartRun& run)
 {
     archive::Evaluation evaluation = run.begin(job.part);
-    if (evaluation.key() != job.key) throw Error(errors::queuePartChanged, {{"path", job.part.name}});
+    if (evaluation.key() != job.key) throw Error(errors::queuePartChanged, {{"path", job.part.name()}});
     return evaluation;
 }
 

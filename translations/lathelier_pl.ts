@@ -16884,10 +16884,6 @@
         <translation>Archiwum</translation>
     </message>
     <message>
-        <source>File of the archive, or its database: postgresql://HOST/NAME, service=NAME.</source>
-        <translation>Plik archiwum albo jego baza danych: postgresql://HOST/NAZWA, service=NAZWA.</translation>
-    </message>
-    <message>
         <source>Characteristic</source>
         <translation>Cecha</translation>
     </message>
@@ -17064,10 +17060,6 @@
         <translation>{count} części bez granicy; średnia {mean} {unit}.</translation>
     </message>
     <message>
-        <source>an archive</source>
-        <translation>archiwum</translation>
-    </message>
-    <message>
         <source>Reading the archive</source>
         <translation>Odczyt archiwum</translation>
     </message>
@@ -17202,6 +17194,22 @@
     <message>
         <source>add, work, show or retry</source>
         <translation>add, work, show albo retry</translation>
+    </message>
+    <message>
+        <source>Database</source>
+        <translation>Baza danych</translation>
+    </message>
+    <message>
+        <source>Of the archive where it is no file: postgresql://HOST/NAME, service=NAME.</source>
+        <translation>Archiwum, jeżeli nie jest plikiem: postgresql://HOST/NAZWA, service=NAZWA.</translation>
+    </message>
+    <message>
+        <source>Evaluations kept by the command archive, in a file.</source>
+        <translation>Oceny przechowywane przez polecenie archive, w pliku.</translation>
+    </message>
+    <message>
+        <source>Archive or its database</source>
+        <translation>Archiwum albo jego baza danych</translation>
     </message>
 </context>
 <context>

@@ -13,12 +13,9 @@ const std::vector<Field<SeriesQuestion>>& fieldsOf(const SeriesQuestion*)
     static const std::vector<Field<Q>> all = [] {
         std::vector<Field<Q>> made{
             field(
-                archiveKey, &Q::archive,
-                Label{LT_TEXT("Engine", "Archive"),
-                      LT_TEXT("Engine", "File of the archive, or its database: postgresql://HOST/NAME, service=NAME."),
-                      {},
-                      false,
-                      true}),
+                databaseKey, &Q::database,
+                Label{LT_TEXT("Engine", "Database"),
+                      LT_TEXT("Engine", "Of the archive where it is no file: postgresql://HOST/NAME, service=NAME.")}),
             field(characteristicKey, &Q::characteristic,
                   Label{LT_TEXT("Engine", "Characteristic"),
                         LT_TEXT("Engine", "Its key, such as zones.seat.mean_mm; empty: the answer of the task.")}),

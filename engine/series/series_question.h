@@ -8,13 +8,14 @@
 
 namespace lathelier::series {
 
-inline constexpr const char* archiveKey = "archive";
+inline constexpr const char* archiveRole = "archive";
+inline constexpr const char* databaseKey = "database";
 inline constexpr const char* taskKey = "task";
 inline constexpr const char* characteristicKey = "characteristic";
 inline constexpr const char* partKey = "part";
 
 struct SeriesQuestion {
-    std::string archive;         ///< file, or a database as libpq names it
+    std::string database;        ///< as libpq names it; empty: the archive is a file
     std::string task;            ///< key of the task; empty: of the latest evaluation that has numbers
     std::string characteristic;  ///< key; empty: its answer, else its first characteristic
     std::string recipe;          ///< SHA-256 of the recipe; empty: any

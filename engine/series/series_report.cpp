@@ -83,11 +83,11 @@ void addControl(report::Plot& plot, const SeriesOutcome& outcome)
     using Style = report::Curve::Style;
     const ControlChart& chart = outcome.chart;
     plot.curves.push_back(
-        across(LT_TEXT("Engine", "mean"), chart.mean, outcome, Style::Line, report::ColourRole::Original));
+        across(LT_TEXT("Engine", "mean"), chart.mean, outcome, Style::Line, report::ColourRole::Neutral));
     if (!chart.lower_control_limit) return;
     plot.curves.push_back(across(LT_TEXT("Engine", "control limits"), *chart.lower_control_limit, outcome,
-                                 Style::Dashed, report::ColourRole::Original));
-    plot.curves.push_back(across({}, *chart.upper_control_limit, outcome, Style::Dashed, report::ColourRole::Original));
+                                 Style::Dashed, report::ColourRole::Neutral));
+    plot.curves.push_back(across({}, *chart.upper_control_limit, outcome, Style::Dashed, report::ColourRole::Neutral));
 }
 
 std::size_t outsideOf(const archive::SeriesPoint& point)
@@ -157,7 +157,7 @@ report::Plot seriesPlot(const SeriesOutcome& outcome, const Language& language)
     report::Curve line{{}, numbers, {}};
     report::Curve inside{LT_TEXT("Engine", "value"), numbers, {}, report::Curve::Style::Points};
     report::Curve outside{LT_TEXT("Engine", "out of tolerance"), numbers, {}, report::Curve::Style::Points};
-    reach.colour = line.colour = inside.colour = report::ColourRole::Copy;
+    reach.colour = line.colour = inside.colour = report::ColourRole::Original;
     outside.colour = report::ColourRole::Excess;
     reach.has_readout = false;
     line.has_readout = false;

@@ -4,11 +4,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/core_codes.h"
+#include "engine/archive/archive_kind.h"
 #include "engine/core/json.h"
 #include "engine/series/series_codes.h"
 #include "engine/series/series_report.h"
-#include "engine/task/asked_state.h"
 
 namespace lathelier::series {
 namespace {
@@ -19,12 +18,21 @@ using archive::SeriesPoint;
 constexpr const char* answerCharacteristic = "answer";
 constexpr std::size_t largestResult_bytes = std::size_t{1} << 20;  ///< of which a picture is looked for
 
-void requireArchive(const SeriesQuestion& question)
+/// A file rules over a database, as its input does in the window.
+std::string locationOf(const project::PanelState& state, const SeriesQuestion& question)
 {
-    if (question.archive.empty())
-        throw Error(errors::valueNotUnderstood, {{"parameter", task::optionName(archiveKey)},
-                                                 {"found", ""},
-                                                 {"expected", LT_TEXT("Engine", "an archive")}});
+    const project::Source* const file = task::sourceOf(state, archiveRole);
+    return file ? file->path : question.database;
+}
+
+task::Input archiveInput()
+{
+    task::Input input;
+    input.role = archiveRole;
+    input.label = LT_TEXT("Engine", "Archive");
+    input.help = LT_TEXT("Engine", "Evaluations kept by the command archive, in a file.");
+    input.kinds = {&archive::archiveFiles()};
+    return input;
 }
 
 std::string latestTask(const std::vector<ArchivedCharacteristic>& all)
@@ -146,10 +154,9 @@ SeriesOutcome answerSeries(const project::PanelState& state, Stores&, task::Sour
     SeriesOutcome outcome;
     outcome.question = fromValues<SeriesQuestion>(state.parameters);
     const SeriesQuestion& question = outcome.question;
-    requireArchive(question);
     const Progress reading = progress.part(0, 0.6, LT_TEXT("Engine", "Reading the archive"));
     const archive::Archive source =
-        archive::Archive::open(question.archive, archive::Access::Read, reading.part(0, 0.3));
+        archive::Archive::open(locationOf(state, question), archive::Access::Read, reading.part(0, 0.3));
     outcome.location = source.location();
     Notes found = source.notes();
     choose(outcome, source.characteristics({}, reading.part(0.3, 0.5)));
@@ -190,6 +197,8 @@ const task::Task& seriesTask()
         made.summary =
             "A characteristic of a series over time, from the archive: limits, control chart, capability, drift.";
         made.question = "series";
+        made.inputs = {archiveInput()};
+        made.one_of = {{archiveRole, databaseKey}, LT_TEXT("Engine", "Archive or its database")};
         task::askFor<SeriesQuestion>(made);
         made.run = [](const project::PanelState& state, const task::Wanted&, Stores& stores, task::Sources& sources,
                       const Progress& progress) { return run(state, stores, sources, progress); };

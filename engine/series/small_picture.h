@@ -22,7 +22,8 @@ struct SmallPicture {
 /// None: the result has no map (no comparison, no body of revolution, of an older version), or it is malformed.
 std::optional<report::ColourMap> mapOf(const Json& result);
 
-/// One scale for all: the smallest readable limit within which all but a hundredth of the cells lie.
+/// One scale for all: the smallest readable limit within which nine of ten cells lie: the ends of a part do not choose
+/// it.
 void scaleAlike(std::vector<SmallPicture>& pictures);
 
 }  // namespace lathelier::series

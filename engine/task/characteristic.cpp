@@ -166,7 +166,8 @@ private:
         if (const std::string name = word("name"); !name.empty() && !item.contains("path")) return name;
         if (const auto section = item.find("section"); section != item.end() && section->is_number_integer())
             return std::to_string(section->get<std::int64_t>());
-        if (const std::string kind = word("kind"); !kind.empty() && item.contains("verdict")) return kind;
+        // Which findings there are differs from part to part.
+        if (item.contains("kind")) return std::nullopt;
         if (item.contains("verdict")) return std::to_string(place);
         return std::nullopt;
     }

@@ -4,8 +4,9 @@
 // They follow the object of the result (quantitiesOf() of the rooms), whose keys and units are the contract of the
 // command line:
 //   - a number at `a.b_mm` is the characteristic "a.b_mm"; of a list whose items have a name, a section or a verdict
-//     the items count, by name, section, kind or place ("zones.seat.mean_mm", "profiles.1.circles.MZCI.RONt_um");
-//     other lists are curves, and so are objects that hold a list of more than three numbers (a histogram, a map);
+//     the items count, by name, section or place ("zones.seat.mean_mm", "profiles.1.circles.MZCI.RONt_um"); findings,
+//     of which each part has others, are none; other lists are curves, and so are objects that hold a list of more than
+//     three numbers (a histogram, a map);
 //   - beside a number x_UNIT, x_expanded_uncertainty_UNIT is its U; beside value_, mean_ or deviation_UNIT so is
 //     uncertainty_UNIT, limit_UNIT is the limit of its size, lower_ and upper_UNIT are its limits, `verdict` its
 //     verdict;

@@ -53,7 +53,7 @@ private slots:
     {
         std::vector<Question> all;
         for (const char* id : {"scan", "drawing", "machine", "speed", "program", "deflection", "copy", "proof",
-                               "roundness", "photographs", "training"})
+                               "roundness", "photographs", "training", "series"})
             all.push_back(questionOf(id));
         QCOMPARE(questionFor("inspection", all), std::string("copy"));
         QCOMPARE(questionFor("chatter", all), std::string("speed"));

@@ -69,7 +69,8 @@ private slots:
             {"proof", {"chain"}},
             {"roundness", {"roundness", "trajectory", "longitudinal", "cylindricity"}},
             {"photographs", {"surface"}},
-            {"training", {"training"}}};
+            {"training", {"training"}},
+            {"series", {"series"}}};
         std::vector<std::pair<std::string, std::vector<std::string>>> found;
         for (const Question& question : questionsOf(panelTable())) {
             found.push_back({question.id, {}});

@@ -1,8 +1,7 @@
 #include "widgets/series/series_panel.h"
 
-#include <filesystem>
+#include <utility>
 
-#include "engine/archive/archive_kind.h"
 #include "engine/project/parts.h"
 #include "widgets/core/session.h"
 #include "widgets/series/series_views.h"
@@ -10,24 +9,25 @@
 namespace lathelier::series_panel {
 namespace {
 
+const std::vector<std::string> roles{series::archiveRole};
+
 bool hasArchive(const project::PanelState& state)
 {
-    const Value* const archive = find(state.parameters, series::archiveKey);
-    return archive && *archive != Value(std::string());
+    const Value* const database = find(state.parameters, series::databaseKey);
+    return state.inputs.count(series::archiveRole) > 0 || (database && *database != Value(std::string()));
 }
 
 PanelInputs panelInputs()
 {
-    return inputsOf(series::seriesTask(), {}, {series::archiveKey, series::characteristicKey, "from", "to", "most"},
-                    true, LT_TEXT("Engine", "Drop an archive of evaluations here, or state its database."));
+    return inputsOf(series::seriesTask(), roles, {series::characteristicKey, "from", "to", "most"}, true,
+                    LT_TEXT("Engine", "Drop an archive of evaluations here, or state its database."));
 }
 
 }  // namespace
 
 PanelFacts seriesPanelFacts()
 {
-    PanelFacts facts = factsOf(series::seriesTask(), "series", "series", {}, {});
-    facts.kinds = {&archive::archiveFiles()};
+    PanelFacts facts = factsOf(series::seriesTask(), "series", "series", roles, {});
     facts.missing = [](const project::PanelState& state) {
         return hasArchive(state) ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "Archive")};
     };
@@ -47,11 +47,10 @@ SeriesPanel::SeriesPanel(Session& owner, QWidget* parent)
     connect(views_, &SeriesViews::notWritten, this, &SeriesPanel::reportWriteFailure);
 }
 
+/// What was chosen in another archive is not in this one.
 void SeriesPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
-    if (files.empty()) return;
-    lathelier::set(state.parameters, series::archiveKey,
-                   std::filesystem::absolute(files.front().path).lexically_normal().string());
+    TaskPanel::assignFiles(state, files);
     for (const char* const of_another : {series::taskKey, series::characteristicKey, series::partKey})
         lathelier::set(state.parameters, of_another, std::string());
 }

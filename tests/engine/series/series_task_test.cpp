@@ -36,15 +36,14 @@ protected:
         archive.add(all, archive::inspector, archive::partRecipes());
     }
 
-    task::Reply ask(Values parameters)
+    task::Reply ask(const Values& parameters) const
     {
-        if (!lathelier::find(parameters, archiveKey)) set(parameters, archiveKey, location_);
-        return task::reply(seriesTask(), {{}, parameters, {}, true, {}}, {});
+        return task::reply(seriesTask(), {{location_}, parameters, {}, true, {}}, {});
     }
 
-    std::string errorOf(Values parameters)
+    static std::string errorOf(const std::vector<std::string>& operands, const Values& parameters = {})
     {
-        const task::Reply reply = ask(std::move(parameters));
+        const task::Reply reply = task::reply(seriesTask(), {operands, parameters, {}, true, {}}, {});
         return reply.errors.empty() ? std::string() : reply.errors.front().code().key;
     }
 
@@ -117,13 +116,15 @@ TEST_F(SeriesTask, the_latest_so_many_are_taken_and_it_is_said)
 
 TEST_F(SeriesTask, what_is_not_there_is_said)
 {
-    EXPECT_EQ(errorOf({{archiveKey, std::string()}}), "value_not_understood");
-    EXPECT_EQ(errorOf({}), "file_not_found");
+    EXPECT_EQ(errorOf({}), "one_needed");
+    EXPECT_EQ(errorOf({location_}, {{databaseKey, std::string("service=shop")}}), "one_only");
+    EXPECT_EQ(errorOf({}, {{databaseKey, std::string("postgresql://a:secret@h/b")}}), "password_in_location");
+    EXPECT_EQ(errorOf({location_}), "file_not_found");
     Archive::open(location_, Access::Create);
-    EXPECT_EQ(errorOf({}), "archive_empty");
+    EXPECT_EQ(errorOf({location_}), "archive_empty");
     const std::string text = scratch_ / "no.archive";
     std::ofstream(text) << "nothing of the kind";
-    EXPECT_EQ(errorOf({{archiveKey, text}}), "no_archive");
+    EXPECT_EQ(errorOf({text}), "no_archive");
 }
 
 TEST_F(SeriesTask, unknown_characteristic_is_named)

@@ -31,10 +31,6 @@ TEST(Characteristic, values_have_their_uncertainty_limits_and_verdict)
     const Characteristic* const seat = find(all, "zones.seat.mean_mm");
     ASSERT_TRUE(seat);
     EXPECT_EQ(*seat, (Characteristic{"zones.seat.mean_mm", "mm", 0.011, 0.001, -0.02, 0.03, Verdict::Pass}));
-    const Characteristic* const bump = find(all, "findings.bump.value_mm");
-    ASSERT_TRUE(bump);
-    EXPECT_EQ(*bump, (Characteristic{"findings.bump.value_mm", "mm", 0.05, 0.01, -0.04, 0.04, Verdict::Fail}));
-    EXPECT_TRUE(find(all, "findings.bump.value_mm#2"));
     const Characteristic* const form = find(all, "RONt_um");
     ASSERT_TRUE(form);
     EXPECT_EQ(*form, (Characteristic{"RONt_um", "µm", 3, 0.2, {}, {}, {}}));
@@ -47,7 +43,7 @@ TEST(Characteristic, what_belongs_to_a_value_and_curves_are_no_characteristics)
     const auto all = characteristicsOf(comparison);
     for (const char* key :
          {"zones.seat.uncertainty_mm", "zones.seat.lower_mm", "findings.bump.limit_mm", "RONt_expanded_uncertainty_um",
-          "harmonics.1.amplitude_um", "nothing_mm", "transform", "map.z_step_mm"})
+          "harmonics.1.amplitude_um", "nothing_mm", "transform", "map.z_step_mm", "findings.bump.value_mm"})
         EXPECT_FALSE(find(all, key)) << key;
     EXPECT_TRUE(find(all, "worst.z_mm"));
 }

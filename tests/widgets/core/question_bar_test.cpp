@@ -22,7 +22,7 @@ class QuestionBarTest : public QObject {
     {
         std::vector<Question> questions;
         for (const char* id : {"scan", "drawing", "machine", "speed", "program", "deflection", "copy", "proof",
-                               "roundness", "photographs", "training"})
+                               "roundness", "photographs", "training", "series"})
             questions.push_back(questionOf(id));
         return questions;
     }

@@ -64,7 +64,7 @@ class SeriesPanelTest : public QObject, PanelFixture<SeriesPanel> {
     void openArchive()
     {
         makeArchive();
-        set(series::archiveKey, archive_);
+        panel_->openFiles({QString::fromStdString(archive_)});
         settle();
     }
 
@@ -145,7 +145,7 @@ private slots:
     {
         makeArchive();
         io::writeFile(partPath(parts - 1), "1 1 1\n");
-        set(series::archiveKey, archive_);
+        panel_->openFiles({QString::fromStdString(archive_)});
         settle();
         QVERIFY(!panel_->views().openButton()->isEnabled());
         QVERIFY(!panel_->views().openButton()->toolTip().isEmpty());

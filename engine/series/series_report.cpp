@@ -24,6 +24,14 @@ Value valueOf(const std::optional<double>& value)
     return value ? Value(*value) : Value();
 }
 
+/// A count is a whole number.
+Value numberOf(const task::Characteristic& one)
+{
+    constexpr double largestCount = 1e15;
+    const bool is_count = one.unit.empty() && std::abs(one.value) < largestCount && one.value == std::floor(one.value);
+    return is_count ? Value(static_cast<std::int64_t>(one.value)) : Value(one.value);
+}
+
 Value verdictOf(const std::optional<Verdict>& verdict)
 {
     return verdict ? Value(shortName(*verdict)) : Value();
@@ -257,7 +265,7 @@ report::Table partCharacteristics(const SeriesOutcome& outcome, const Language& 
                         {0, 4, 4, 4, 4, 0, 0}};
     table.rows.reserve(outcome.part.evaluation.characteristics.size());
     for (const task::Characteristic& one : outcome.part.evaluation.characteristics)
-        table.rows.push_back({shownName({outcome.part.entry.task, one.key, one.unit, {}}, language), one.value,
+        table.rows.push_back({shownName({outcome.part.entry.task, one.key, one.unit, {}}, language), numberOf(one),
                               valueOf(one.expanded_uncertainty), valueOf(one.lower_limit), valueOf(one.upper_limit),
                               one.unit, verdictOf(one.verdict)});
     return table;

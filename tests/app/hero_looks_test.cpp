@@ -8,10 +8,15 @@
 #include <QScopeGuard>
 #include <QSplitter>
 #include <QTest>
+#include <nlohmann/json.hpp>
 
 #include "app/gui/panels.h"
 #include "app/gui/theme.h"
+
+#include "engine/archive/archive.h"
+#include "engine/core/json.h"
 #include "engine/sample/sample_files.h"
+#include "engine/series/series_question.h"
 #include "tests/app/window_fixture.h"
 #include "tests/widgets/core/picture_difference.h"
 #include "widgets/core/panel/primary_views.h"
@@ -45,6 +50,35 @@ class HeroLooksTest : public QObject, private WindowFixture {
                              .arg(widget->minimumSizeHint().width());
         return QString("%1×%2: ").arg(window.width()).arg(window.height()) + found.join(", ");
     }
+    /// The sample has no archive: its rows would not be the same bytes again.
+    void giveArchive()
+    {
+        constexpr int parts = 24;
+        std::vector<archive::Evaluation> all;
+        for (int number = 0; number < parts; ++number) {
+            const double seat_mm = number == 15 ? 0.06 : 0.001 * number + 0.004 * (number % 3);
+            archive::Evaluation one;
+            one.task = "compare";
+            one.recipe_sha256 = std::string(64, 'a');
+            one.version = "0.2.0";
+            one.inputs = {{"copy", {"/parts/part-" + std::to_string(number) + ".ply", 1, std::to_string(number)}}};
+            one.verdict = number == 15 ? Verdict::Fail : Verdict::Pass;
+            one.characteristics = {{"answer", "mm", seat_mm, 0.003, -0.05, 0.05, one.verdict}};
+            one.result = lathelier::Json{{"map",
+                                          {{"z_start_mm", 0},
+                                           {"z_step_mm", 20},
+                                           {"z_count", 3},
+                                           {"angle_count", 2},
+                                           {"mean_mm", {0.01, 0.0, seat_mm, seat_mm, -0.01, -0.02}}}}}
+                             .dump();
+            all.push_back(one);
+        }
+        const std::string path = folder_.filePath("shop.archive").toStdString();
+        archive::Archive::open(path, archive::Access::Create).add(all, {"A. Nowak", "Scanner 3", "2026-06-01"});
+        session_->edit("Open", [&](project::Project& project) {
+            project.panels["series"].inputs[series::archiveRole].path = path;
+        });
+    }
     static QImage picture(PanelDock& panel) { return panel.panel().grab().toImage(); }
 
 private slots:
@@ -59,6 +93,7 @@ private slots:
         languages_.use("en");
         session_ = std::make_unique<Session>();
         session_->open(folder_.filePath(QString::fromStdString(sample::sampleFileNames().back())));
+        giveArchive();
         window_ = std::make_unique<MainWindow>(*session_, languages_, panelTable());
         window_->resize(1280, 800);
         window_->show();

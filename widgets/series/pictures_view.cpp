@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "widgets/core/language.h"
-#include "widgets/plot/colour_legend.h"
 #include "widgets/plot/plot_style.h"
 
 namespace lathelier::series_panel {
@@ -49,11 +48,24 @@ void PicturesView::setPictures(const std::vector<series::SmallPicture>& pictures
     update();
 }
 
+plot::Legend PicturesView::legend() const
+{
+    const report::ColourMap& map = tiles_.front().picture.map;
+    return {report::coloursOf(map), {}, plot::chartText(report::Axis{map.value.title, map.value.unit}), map.value.unit};
+}
+
+/// In pixels; 0: there is no room for the scale.
+double PicturesView::legendWidth() const
+{
+    if (tiles_.empty() || width() < legendWidthLeast) return 0;
+    const plot::Legend shown = legend();
+    return std::max(plot::colourLegendWidth(shown, font(), QLocale()), fontMetrics().horizontalAdvance(shown.title));
+}
+
 QRectF PicturesView::roomOfTiles() const
 {
-    QRectF room = QRectF(rect()).adjusted(gap, gap, -gap, -gap);
-    if (width() >= legendWidthLeast) room.setRight(room.right() - 7.0 * fontMetrics().horizontalAdvance('0') - gap);
-    return room;
+    const double beside = legendWidth();
+    return QRectF(rect()).adjusted(gap, gap, -gap - (beside > 0 ? beside + gap : 0), -gap);
 }
 
 /// The number of columns whose pictures come nearest to the preferred shape.
@@ -125,14 +137,11 @@ void PicturesView::paintEvent(QPaintEvent*)
     painter.fillRect(rect(), palette().color(QPalette::Base));
     painter.setRenderHint(QPainter::SmoothPixmapTransform, false);  // a cell is a mean, and is drawn as one
     for (std::size_t i = 0; i < tiles_.size(); ++i) paintTile(painter, placeOf(i), tiles_[i]);
-    if (tiles_.empty() || width() < legendWidthLeast) return;
-    const report::ColourMap& map = tiles_.front().picture.map;
-    const plot::Legend legend{
-        report::coloursOf(map), {}, plot::chartText(report::Axis{map.value.title, map.value.unit}), map.value.unit};
+    const double beside = legendWidth();
+    if (!(beside > 0)) return;
     const QRectF tiles = roomOfTiles();
-    plot::paintColourLegend(painter,
-                            {tiles.right() + gap, tiles.top(), width() - tiles.right() - 2 * gap, tiles.height()},
-                            legend, font(), palette().color(QPalette::WindowText), QLocale());
+    plot::paintColourLegend(painter, {tiles.right() + gap, tiles.top(), beside, tiles.height()}, legend(), font(),
+                            palette().color(QPalette::WindowText), QLocale());
 }
 
 void PicturesView::choose(int tile)

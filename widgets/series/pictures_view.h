@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/series/small_picture.h"
+#include "widgets/plot/colour_legend.h"
 
 namespace lathelier::series_panel {
 
@@ -45,6 +46,8 @@ private:
         QSizeF tile;
     };
     Grid grid() const;
+    plot::Legend legend() const;
+    double legendWidth() const;
     QRectF roomOfTiles() const;
     int tileAt(const QPointF& place) const;  ///< -1: none
     void paintTile(QPainter& painter, const QRectF& room, const Tile& tile) const;

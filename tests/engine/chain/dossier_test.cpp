@@ -86,7 +86,8 @@ TEST(Dossier, TheCoverIsAsRedAsItsWorstStep)
     const Json json = toJson(dossier);
     EXPECT_EQ(json["verdict"], "pass");
     EXPECT_EQ(json["cover_verdict"], "fail");
-    const auto& cover = std::get<report::Answer>(dossierReport(dossier).sections.front().blocks.front());
+    const report::Document document = dossierReport(dossier);
+    const auto& cover = std::get<report::Answer>(document.sections.front().blocks.front());
     EXPECT_EQ(cover.verdict, Verdict::Fail);
     dossier.steps[1].verdict = Verdict::Pass;
     dossier.steps[2].verdict = Verdict::Fail;

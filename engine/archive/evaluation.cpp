@@ -10,7 +10,7 @@
 namespace lathelier::archive {
 namespace {
 
-constexpr std::size_t mostInputs = 10'000;
+constexpr std::size_t mostInputs = 10000;
 
 std::optional<Verdict> verdictFrom(const io::JsonCursor& object)
 {

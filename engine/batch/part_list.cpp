@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longestLine = 64 << 10;  ///< of the first line of a list
-constexpr std::size_t mostFilesOfPart = 10'000;
+constexpr std::size_t mostFilesOfPart = 10000;
 
 bool isFile(const fs::path& path)
 {

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* runSchema = "lathelier-batch";
-constexpr std::size_t mostInputsRemembered = 10'000'000;
+constexpr std::size_t mostInputsRemembered = 10000000;
 
 std::string fileIn(const std::string& folder)
 {

@@ -19,7 +19,7 @@
 namespace lathelier::batch {
 namespace {
 
-constexpr std::int64_t mostShards = 1'000'000;
+constexpr std::int64_t mostShards = 1000000;
 constexpr auto flushPause = std::chrono::seconds(1);
 
 bool takeNumber(std::string_view text, std::int64_t& number)

@@ -3,7 +3,7 @@
 namespace lathelier::series {
 namespace {
 
-constexpr double mostValues = 100'000;
+constexpr double mostValues = 100000;
 
 }  // namespace
 

@@ -9,7 +9,7 @@
 namespace lathelier::series {
 namespace {
 
-constexpr int mostCells = 10'000;
+constexpr int mostCells = 10000;
 constexpr double shareWithinScale = 0.9;  // ends of the part are a column of 24 each
 constexpr double leastLimit_mm = 1e-3;
 

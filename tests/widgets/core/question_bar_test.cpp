@@ -68,7 +68,7 @@ private slots:
             QVERIFY2(box->width() >= box->neededWidth(), question.id.c_str());
         }
         // The chain has room for a short answer under its names.
-        QVERIFY(bar.box("scan")->width() - 14 >= bar.fontMetrics().horizontalAdvance(QString::fromUtf8("✗ 0.166 mm")));
+        QVERIFY(bar.box("scan")->width() - 10 >= bar.fontMetrics().horizontalAdvance(QString::fromUtf8("✗ 0.166 mm")));
     }
 
     void inANarrowWindowThoseBesideGiveWayFirst()
@@ -144,9 +144,9 @@ private slots:
         QCOMPARE(asked.back(), std::string("drawing"));
         bar.box("scan")->setFocus();
         QTest::keyClick(bar.focusWidget(), Qt::Key_Left);  // round about
-        QVERIFY(bar.box("training")->hasFocus());
+        QVERIFY(bar.box("series")->hasFocus());
         QTest::keyClick(bar.focusWidget(), Qt::Key_Space);
-        QCOMPARE(asked.back(), std::string("training"));
+        QCOMPARE(asked.back(), std::string("series"));
         QTest::mouseClick(bar.box("copy"), Qt::LeftButton);
         QCOMPARE(asked.back(), std::string("copy"));
         QVERIFY(bar.box("copy")->isChecked());

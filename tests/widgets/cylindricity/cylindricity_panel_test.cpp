@@ -132,7 +132,7 @@ private slots:
     {
         const QString path = folder_.filePath("radius.csv");
         const std::vector<PanelExport> exports = panel_->offeredExports();
-        QVERIFY(exports.size() == 2);  // and all numbers as JSON
+        QVERIFY(exports.size() == 3);  // and all numbers as JSON, and the recipe
         exports.front().write(path);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));

@@ -228,7 +228,7 @@ private slots:
             item.write(path);
             QVERIFY2(QFileInfo(path).size() > 0, qPrintable(item.label));
         }
-        QCOMPARE(written, 5);
+        QCOMPARE(written, 6);  // all numbers and the recipe among them
         QFile file(folder_.filePath("export0.json"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         Notes notes;

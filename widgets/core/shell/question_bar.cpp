@@ -11,8 +11,8 @@ namespace lathelier {
 namespace {
 
 constexpr int margin_px = 3;   // left and right of the boxes
-constexpr int spacing_px = 3;  // between two
-constexpr int apart_px = 14;   // between the chain and what stands beside it
+constexpr int spacing_px = 2;  // between two
+constexpr int apart_px = 10;   // between the chain and what stands beside it
 
 }  // namespace
 

@@ -11,10 +11,10 @@ namespace {
 
 using State = QuestionAnswer::State;
 
-constexpr int side_px = 7;   // left and right of what is written
+constexpr int side_px = 5;   // left and right of what is written
 constexpr int above_px = 3;  // over the name
 constexpr int below_px = 6;  // under the answer, with the line of the open question
-constexpr int gap_px = 5;    // between icon and name
+constexpr int gap_px = 4;    // between icon and name
 constexpr int radius_px = 4;
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int mostStatements = 200;
 constexpr auto pauseOfWaiting = std::chrono::milliseconds(20);
-constexpr int mostPauses = 1500;            // half a minute
+constexpr int mostPauses = 1500;           // half a minute
 constexpr int stepsBetweenChecks = 20000;  // of SQLite's machine: about a millisecond
 
 using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;

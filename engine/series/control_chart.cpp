@@ -109,11 +109,12 @@ void addCapability(ControlChart& chart, const Points& points, Notes& notes)
     if (!chart.lower_limit && !chart.upper_limit) return;
     if (!chart.standard_deviation || !(*chart.standard_deviation > 0)) return;
     const double spread = 3 * *chart.standard_deviation;
-    if (chart.lower_limit && chart.upper_limit) chart.Pp = (*chart.upper_limit - *chart.lower_limit) / (2 * spread);
-    if (chart.upper_limit) chart.Ppk = (*chart.upper_limit - chart.mean) / spread;
+    if (chart.lower_limit && chart.upper_limit)
+        chart.capability_pp = (*chart.upper_limit - *chart.lower_limit) / (2 * spread);
+    if (chart.upper_limit) chart.capability_ppk = (*chart.upper_limit - chart.mean) / spread;
     if (chart.lower_limit) {
         const double below = (chart.mean - *chart.lower_limit) / spread;
-        chart.Ppk = chart.Ppk ? std::min(*chart.Ppk, below) : below;
+        chart.capability_ppk = chart.capability_ppk ? std::min(*chart.capability_ppk, below) : below;
     }
     if (chart.count < leastForCapability)
         notes.push_back({notes::capabilityFewValues, {{"count", chart.count}, {"least", leastForCapability}}});
@@ -153,8 +154,8 @@ const std::vector<QuantityOf<ControlChart>>& quantitiesOf(const ControlChart*)
         quantity<C>("largest", &C::largest, {LT_TEXT("Engine", "Largest"), {}, 4}),
         quantity<C>("lower_limit", &C::lower_limit, {LT_TEXT("Engine", "Lower limit"), {}, 4}),
         quantity<C>("upper_limit", &C::upper_limit, {LT_TEXT("Engine", "Upper limit"), {}, 4}),
-        quantity<C>("Pp", &C::Pp, {LT_TEXT("Engine", "Pp (limits over 6 s)"), {}, 2}),
-        quantity<C>("Ppk", &C::Ppk, {LT_TEXT("Engine", "Ppk (nearer limit over 3 s)"), {}, 2}),
+        quantity<C>("Pp", &C::capability_pp, {LT_TEXT("Engine", "Pp (limits over 6 s)"), {}, 2}),
+        quantity<C>("Ppk", &C::capability_ppk, {LT_TEXT("Engine", "Ppk (nearer limit over 3 s)"), {}, 2}),
         quantity<C>("lower_control_limit", &C::lower_control_limit, {LT_TEXT("Engine", "Lower control limit"), {}, 4}),
         quantity<C>("upper_control_limit", &C::upper_control_limit, {LT_TEXT("Engine", "Upper control limit"), {}, 4}),
         quantity<C>("out_of_control", &C::out_of_control, {LT_TEXT("Engine", "Values outside the control limits")}),

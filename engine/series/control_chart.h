@@ -35,9 +35,9 @@ struct ControlChart {
     std::optional<double> drift_expanded_uncertainty_per_100_parts;  ///< 95 %, of the scatter about the line
     std::optional<double> lower_limit;  ///< of all values alike; none: none, or they differ
     std::optional<double> upper_limit;
-    std::optional<double> Pp;  ///< (upper - lower) / 6 s; with both limits
+    std::optional<double> capability_pp;  ///< (upper - lower) / 6 s; with both limits
     std::optional<double>
-        Ppk;  ///< the smaller of (upper - mean) / 3 s and (mean - lower) / 3 s; with one limit at least
+        capability_ppk;  ///< the smaller of (upper - mean) / 3 s and (mean - lower) / 3 s; with one limit at least
 
     bool isInControl() const;
 };

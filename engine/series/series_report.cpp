@@ -319,16 +319,17 @@ report::Answer answer(const SeriesOutcome& outcome, const Language& language)
     answer.lower_limit = worst.lower_limit;
     answer.upper_limit = worst.upper_limit;
     answer.verdict = outcome.verdict();
-    answer.values = {{"out", outcome.chart.out_of_tolerance},
-                     {"count", outcome.chart.count},
-                     {"mean", fixed(outcome.chart.mean, decimals, language)},
-                     {"unit", outcome.chosen.unit},
-                     {"Ppk", outcome.chart.Ppk ? fixed(*outcome.chart.Ppk, 2, language) : std::string()}};
-    if (outcome.chart.Ppk && outcome.chart.isInControl())
+    answer.values = {
+        {"out", outcome.chart.out_of_tolerance},
+        {"count", outcome.chart.count},
+        {"mean", fixed(outcome.chart.mean, decimals, language)},
+        {"unit", outcome.chosen.unit},
+        {"Ppk", outcome.chart.capability_ppk ? fixed(*outcome.chart.capability_ppk, 2, language) : std::string()}};
+    if (outcome.chart.capability_ppk && outcome.chart.isInControl())
         answer.sentence = LT_TEXT("Engine",
                                   "{out} of {count} parts out of tolerance; mean {mean} {unit}, Ppk {Ppk}, "
                                   "in control.");
-    else if (outcome.chart.Ppk)
+    else if (outcome.chart.capability_ppk)
         answer.sentence = LT_TEXT("Engine",
                                   "{out} of {count} parts out of tolerance; mean {mean} {unit}, Ppk {Ppk}, "
                                   "not in control.");

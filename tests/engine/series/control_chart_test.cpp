@@ -93,13 +93,13 @@ TEST(ControlChart, capability_is_that_of_the_nearer_limit)
     limit(points, -3, 6);
     const ControlChart chart = controlChart(points, notes);
     const double s = std::sqrt(100.0 / 99);
-    EXPECT_NEAR(*chart.Pp, 9 / (6 * s), 1e-12);
-    EXPECT_NEAR(*chart.Ppk, 3 / (3 * s), 1e-12);
+    EXPECT_NEAR(*chart.capability_pp, 9 / (6 * s), 1e-12);
+    EXPECT_NEAR(*chart.capability_ppk, 3 / (3 * s), 1e-12);
     EXPECT_TRUE(notes.empty());
     limit(points, std::nullopt, 6);
     const ControlChart one_sided = controlChart(points, notes);
-    EXPECT_FALSE(one_sided.Pp);
-    EXPECT_NEAR(*one_sided.Ppk, 6 / (3 * s), 1e-12);
+    EXPECT_FALSE(one_sided.capability_pp);
+    EXPECT_NEAR(*one_sided.capability_ppk, 6 / (3 * s), 1e-12);
 }
 
 TEST(ControlChart, says_what_a_capability_is_worth)
@@ -117,7 +117,7 @@ TEST(ControlChart, says_what_a_capability_is_worth)
     notes.clear();
     points.back().upper_limit = 11;
     const ControlChart chart = controlChart(points, notes);
-    EXPECT_FALSE(chart.Ppk);
+    EXPECT_FALSE(chart.capability_ppk);
     EXPECT_TRUE(contains(notes, notes::limitsDiffer));
 }
 
@@ -144,7 +144,7 @@ TEST(ControlChart, one_value_has_no_scatter)
     EXPECT_FALSE(chart.standard_deviation);
     EXPECT_FALSE(chart.upper_control_limit);
     EXPECT_FALSE(chart.drift_per_100_parts);
-    EXPECT_FALSE(chart.Ppk);
+    EXPECT_FALSE(chart.capability_ppk);
 }
 
 TEST(ControlChart, scales_with_the_unit)
@@ -162,7 +162,7 @@ TEST(ControlChart, scales_with_the_unit)
     EXPECT_NEAR(*b.standard_deviation, 1000 * *a.standard_deviation, 1e-9);
     EXPECT_NEAR(*b.upper_control_limit, 1000 * *a.upper_control_limit, 1e-9);
     EXPECT_NEAR(*b.drift_per_100_parts, 1000 * *a.drift_per_100_parts, 1e-9);
-    EXPECT_NEAR(*b.Ppk, *a.Ppk, 1e-12);
+    EXPECT_NEAR(*b.capability_ppk, *a.capability_ppk, 1e-12);
     EXPECT_EQ(b.longest_run, a.longest_run);
 }
 

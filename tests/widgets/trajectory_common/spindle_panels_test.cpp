@@ -11,6 +11,7 @@
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -81,11 +82,16 @@ private:
 
     void settle()
     {
-        QCoreApplication::processEvents();
-        for (PanelBase* panel : panels()) {
-            QTRY_VERIFY_WITH_TIMEOUT(!panel->isBusy(), 60000);
-            QVERIFY2(!panel->error(), panel->error() ? panel->error()->what() : "");
-        }
+        const auto all = panels();
+        const auto are_busy = [&all] {
+            return std::any_of(all.begin(), all.end(), [](const PanelBase* panel) { return panel->isBusy(); });
+        };
+        // A file that one panel has found changes the state of all.
+        do {
+            QTRY_VERIFY_WITH_TIMEOUT(!are_busy(), 60000);
+            QCoreApplication::processEvents();
+        } while (are_busy());
+        for (const PanelBase* panel : all) QVERIFY2(!panel->error(), panel->error() ? panel->error()->what() : "");
     }
     void set(const char* key, const Value& value)
     {

@@ -9,7 +9,7 @@
 namespace lathelier::series {
 namespace {
 
-constexpr int mostCells = 10000;
+constexpr std::size_t mostCells = 10000;
 constexpr double shareWithinScale = 0.9;  // ends of the part are a column of 24 each
 constexpr double leastLimit_mm = 1e-3;
 
@@ -21,10 +21,10 @@ std::optional<double> numberIn(const Json& json, const char* key)
 }
 
 /// A count of a result that may come from elsewhere.
-int countIn(const Json& json, const char* key)
+std::size_t countIn(const Json& json, const char* key)
 {
     const std::optional<double> number = numberIn(json, key);
-    return number && *number >= 1 && *number <= mostCells ? static_cast<int>(*number) : 0;
+    return number && *number >= 1 && *number <= mostCells ? static_cast<std::size_t>(*number) : 0;
 }
 
 }  // namespace
@@ -34,26 +34,24 @@ std::optional<report::ColourMap> mapOf(const Json& result)
     const auto json = result.is_object() ? result.find("map") : result.end();
     if (!result.is_object() || json == result.end() || !json->is_object()) return std::nullopt;
     const auto start_mm = numberIn(*json, "z_start_mm"), step_mm = numberIn(*json, "z_step_mm");
-    const int along = countIn(*json, "z_count"), about = countIn(*json, "angle_count");
+    const std::size_t along = countIn(*json, "z_count"), about = countIn(*json, "angle_count");
     const auto means = json->find("mean_mm");
     if (!start_mm || !step_mm || !(*step_mm > 0) || along * about < 1 || along * about > mostCells) return std::nullopt;
-    if (means == json->end() || !means->is_array() || means->size() != static_cast<std::size_t>(along * about))
-        return std::nullopt;
+    if (means == json->end() || !means->is_array() || means->size() != along * about) return std::nullopt;
     report::ColourMap map;
     map.x = {LT_TEXT("Engine", "z"), unit::mm};
     map.y = {LT_TEXT("Engine", "Angle"), unit::deg};
     map.value = {LT_TEXT("Engine", "Deviation"), unit::mm};
     map.x_from = *start_mm;
-    map.x_to = *start_mm + along * *step_mm;
+    map.x_to = *start_mm + static_cast<double>(along) * *step_mm;
     map.y_to = 360;
-    map.columns = along;
-    map.rows = about;
+    map.columns = static_cast<int>(along);
+    map.rows = static_cast<int>(about);
     map.values.resize(means->size());
-    for (int z = 0; z < along; ++z)
-        for (int angle = 0; angle < about; ++angle) {
-            const Json& mean = (*means)[static_cast<std::size_t>(z * about + angle)];
-            map.values[static_cast<std::size_t>(angle * along + z)] =
-                mean.is_number() ? mean.get<float>() : static_cast<float>(notANumber);
+    for (std::size_t z = 0; z < along; ++z)
+        for (std::size_t angle = 0; angle < about; ++angle) {
+            const Json& mean = (*means)[z * about + angle];
+            map.values[angle * along + z] = mean.is_number() ? mean.get<float>() : static_cast<float>(notANumber);
         }
     return map;
 }

@@ -98,7 +98,9 @@ private:
     void object(const Json& json, const std::string& prefix)
     {
         for (const auto& [key, value] : json.items()) {
-            const std::string whole = prefix.empty() ? key : prefix + "." + key;
+            std::string whole = prefix;
+            if (!whole.empty()) whole += '.';
+            whole += key;
             if (value.is_number())
                 number(json, key, whole);
             else if (value.is_object() && !isCurve(value))

@@ -24,7 +24,8 @@ QImage imageOf(const report::ColourMap& map)
     const report::DeviationColours colours = report::coloursOf(map);
     for (int row = 0; row < map.rows; ++row)
         for (int column = 0; column < map.columns; ++column) {
-            const float value = map.values[static_cast<std::size_t>(row * map.columns + column)];
+            const float value = map.values[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) +
+                                           static_cast<std::size_t>(column)];
             image.setPixelColor(
                 column, map.rows - 1 - row,
                 std::isnan(value) ? QColor(Qt::transparent) : plot::toQt(colours(static_cast<double>(value))));
@@ -92,9 +93,10 @@ QRectF PicturesView::placeOf(std::size_t tile) const
 {
     const Grid cells = grid();
     const auto columns = static_cast<std::size_t>(cells.columns);
-    const QPointF corner = roomOfTiles().topLeft() + QPointF(static_cast<double>(tile % columns) * cells.tile.width(),
-                                                             static_cast<double>(tile / columns) * cells.tile.height());
-    return {corner, cells.tile};
+    const std::size_t row = tile / columns, column = tile % columns;
+    const QPointF corner(static_cast<double>(column) * cells.tile.width(),
+                         static_cast<double>(row) * cells.tile.height());
+    return {roomOfTiles().topLeft() + corner, cells.tile};
 }
 
 int PicturesView::tileAt(const QPointF& place) const

@@ -17211,6 +17211,58 @@
         <source>Archive or its database</source>
         <translation>Archiwum albo jego baza danych</translation>
     </message>
+    <message>
+        <source>pass, fail, undecided or null</source>
+        <translation>pass, fail, undecided albo null</translation>
+    </message>
+    <message>
+        <source>the key of the evaluation</source>
+        <translation>klucz oceny</translation>
+    </message>
+    <message>
+        <source>the key of a task</source>
+        <translation>klucz zadania</translation>
+    </message>
+    <message>
+        <source>the SHA-256 of the recipe</source>
+        <translation>SHA-256 receptury</translation>
+    </message>
+    <message>
+        <source>a list of inputs</source>
+        <translation>lista wejść</translation>
+    </message>
+    <message>
+        <source>a role</source>
+        <translation>rola</translation>
+    </message>
+    <message>
+        <source>a path</source>
+        <translation>ścieżka</translation>
+    </message>
+    <message>
+        <source>an exit code</source>
+        <translation>kod wyjścia</translation>
+    </message>
+    <message>
+        <source>a list of characteristics</source>
+        <translation>lista cech</translation>
+    </message>
+    <message>
+        <source>a characteristic</source>
+        <translation>cecha</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>rad</translation>
+    </message>
+    <message>
+        <source>kHz</source>
+        <translation>kHz</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>kg</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

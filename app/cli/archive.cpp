@@ -9,6 +9,7 @@
 #include "app/cli/standard_streams.h"
 #include "app/cli/verbs.h"
 #include "engine/archive/archive_codes.h"
+#include "engine/archive/archive_json.h"
 #include "engine/archive/result_lines.h"
 #include "engine/archive/sql/location.h"
 #include "engine/core/core_codes.h"
@@ -218,7 +219,7 @@ void runCharacteristics(const Asked& asked)
     asked.answer.json = [found] {
         Json json{{"characteristics", Json::array()}};
         for (const archive::ArchivedCharacteristic& one : found)
-            json["characteristics"].push_back(characteristicJson(one));
+            json["characteristics"].push_back(archive::toJson(one));
         return json;
     };
     asked.answer.summary = characteristicsText(found);
@@ -237,7 +238,7 @@ void runSeries(const Asked& asked)
     const archive::ArchivedCharacteristic named = opened.characteristics(same).front();
     asked.answer.json = [named, points] {
         Json json{{"task", named.task}, {"characteristic", named.key}, {"unit", named.unit}, {"points", Json::array()}};
-        for (const archive::SeriesPoint& point : points) json["points"].push_back(pointJson(point));
+        for (const archive::SeriesPoint& point : points) json["points"].push_back(archive::toJson(point));
         return json;
     };
     asked.answer.summary = seriesText(characteristic + (named.unit.empty() ? "" : " (" + named.unit + ")"), points);

@@ -2,23 +2,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/archive/archive_json.h"
 #include "engine/core/texts.h"
+#include "engine/core/verdict_json.h"
 #include "engine/report/plain_text.h"
 
 namespace lathelier::cli {
 namespace {
 
 constexpr std::size_t shownOfUuid = 8;
-
-Json textOrNothing(const std::string& word)
-{
-    return word.empty() ? Json(nullptr) : Json(word);
-}
-
-Json verdictJson(const std::optional<Verdict>& verdict)
-{
-    return verdict ? Json(std::string(key(*verdict))) : Json(nullptr);
-}
 
 Value verdictCell(const std::optional<Verdict>& verdict)
 {
@@ -54,18 +46,18 @@ Json entryJson(const archive::Entry& entry)
 {
     return {{"uuid", entry.uuid},
             {"recorded_at", entry.recorded_at},
-            {"person", textOrNothing(entry.attestation.person)},
-            {"instrument", textOrNothing(entry.attestation.instrument)},
-            {"calibrated_on", textOrNothing(entry.attestation.calibrated_on)},
+            {"person", archive::textOrNothing(entry.attestation.person)},
+            {"instrument", archive::textOrNothing(entry.attestation.instrument)},
+            {"calibrated_on", archive::textOrNothing(entry.attestation.calibrated_on)},
             {"task", entry.task},
             {"version", entry.version},
             {"recipe_sha256", entry.recipe_sha256},
-            {"file", textOrNothing(entry.file)},
+            {"file", archive::textOrNothing(entry.file)},
             {"exit_code", entry.exit_code},
             {"verdict", verdictJson(entry.verdict)},
-            {"supersedes", textOrNothing(entry.supersedes)},
-            {"superseded_by", textOrNothing(entry.superseded_by)},
-            {"reason", textOrNothing(entry.reason)},
+            {"supersedes", archive::textOrNothing(entry.supersedes)},
+            {"superseded_by", archive::textOrNothing(entry.superseded_by)},
+            {"reason", archive::textOrNothing(entry.reason)},
             {"writer", entry.writer},
             {"sequence", entry.sequence},
             {"hash", entry.hash}};
@@ -81,26 +73,6 @@ Json recordJson(const archive::Record& record)
     return json;
 }
 
-Json characteristicJson(const archive::ArchivedCharacteristic& characteristic)
-{
-    return {{"task", characteristic.task},
-            {"key", characteristic.key},
-            {"unit", characteristic.unit},
-            {"last_recorded_at", textOrNothing(characteristic.last_recorded_at)}};
-}
-
-Json pointJson(const archive::SeriesPoint& point)
-{
-    return {{"uuid", point.uuid},
-            {"recorded_at", point.recorded_at},
-            {"file", textOrNothing(point.file)},
-            {"value", number(point.value)},
-            {"expanded_uncertainty", number(point.expanded_uncertainty)},
-            {"lower_limit", number(point.lower_limit)},
-            {"upper_limit", number(point.upper_limit)},
-            {"verdict", verdictJson(point.verdict)}};
-}
-
 Json verificationJson(const archive::Verification& verification)
 {
     Json json{{"checked", verification.checked()}, {"writers", Json::array()}, {"broken", nullptr}};
@@ -110,7 +82,7 @@ Json verificationJson(const archive::Verification& verification)
     if (const auto& broken = verification.broken)
         json["broken"] = {{"writer", broken->writer},
                           {"sequence", broken->sequence},
-                          {"uuid", textOrNothing(broken->uuid)},
+                          {"uuid", archive::textOrNothing(broken->uuid)},
                           {"reason", std::string(archive::key(broken->fault))}};
     json["verdict"] = std::string(key(verification.broken ? Verdict::Fail : Verdict::Pass));
     return json;

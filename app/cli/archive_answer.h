@@ -11,8 +11,6 @@ namespace lathelier::cli {
 
 Json entryJson(const archive::Entry& entry);
 Json recordJson(const archive::Record& record);
-Json characteristicJson(const archive::ArchivedCharacteristic& characteristic);
-Json pointJson(const archive::SeriesPoint& point);
 Json verificationJson(const archive::Verification& verification);
 
 std::string entriesText(const std::vector<archive::Entry>& entries);

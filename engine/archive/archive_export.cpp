@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "engine/archive/archive_json.h"
 #include "engine/archive/archive_rows.h"
 #include "engine/archive/archive_state.h"
 
@@ -15,11 +16,6 @@ using sql::RowView;
 using sql::TransactionKind;
 
 using Write = std::function<void(std::string_view line)>;
-
-Json textOrNothing(const std::string& text)
-{
-    return text.empty() ? Json(nullptr) : Json(text);
-}
 
 /// The evaluation as it was added, and what the archive knows of it behind.
 Json lineOf(const Row& row)

@@ -165,13 +165,6 @@ std::string fileOf(const std::string& inputs)
     return slash == std::string::npos ? whole : whole.substr(slash + 1);
 }
 
-std::optional<Verdict> verdictOf(std::string_view key)
-{
-    for (const Verdict verdict : {Verdict::Pass, Verdict::Fail, Verdict::Undecided})
-        if (key == lathelier::key(verdict)) return verdict;
-    return std::nullopt;
-}
-
 std::optional<Fault> faultOf(const Row& row, const std::optional<std::string>& recipe)
 {
     if (!row.is_file_right || !fitsResult(row)) return Fault::Values;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/archive/archive.h"
+#include "engine/core/verdict_json.h"
 
 namespace lathelier::archive {
 
@@ -52,8 +53,6 @@ Evaluation evaluationOf(const Row& row);
 
 /// The name of the first input without folders; empty: no input.
 std::string fileOf(const std::string& inputs);
-
-std::optional<Verdict> verdictOf(std::string_view key);
 
 /// What is wrong with a row, looked at alone: Content, Values or Recipe; none: nothing. `recipe` is the content of its
 /// recipe, if the archive holds it.

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/archive/archive_codes.h"
+#include "engine/core/verdict_json.h"
 #include "engine/io/file.h"
 #include "engine/io/json/json_document.h"
 
@@ -16,9 +17,8 @@ std::optional<Verdict> verdictFrom(const io::JsonCursor& object)
 {
     const auto word = object.member("verdict");
     if (!word) return std::nullopt;
-    for (const Verdict verdict : {Verdict::Pass, Verdict::Fail, Verdict::Undecided})
-        if (word->string() == lathelier::key(verdict)) return verdict;
-    word->reject("pass, fail, undecided or null");
+    if (const auto verdict = verdictOf(word->string())) return verdict;
+    word->reject(LT_TEXT("Engine", "pass, fail, undecided or null"));
 }
 
 std::string fileName(const std::string& path)
@@ -67,7 +67,7 @@ Json toJson(const Evaluation& evaluation)
               {"version", evaluation.version},
               {"inputs", Json::array()},
               {"exit_code", evaluation.exit_code},
-              {"verdict", evaluation.verdict ? Json(std::string(lathelier::key(*evaluation.verdict))) : Json(nullptr)},
+              {"verdict", verdictJson(evaluation.verdict)},
               {"characteristics", Json::array()},
               {"result", Json::parse(evaluation.result)}};
     for (const EvaluatedInput& input : evaluation.inputs)
@@ -85,26 +85,29 @@ Evaluation evaluationFrom(std::string_view line)
     io::JsonDocument document{std::string(line)};
     const io::JsonCursor root = document.root();
     Evaluation made;
-    const std::string stated = root.at("key", "the key of the evaluation").string();
-    made.task = root.at("task", "the key of a task").string();
-    made.recipe_sha256 = root.at("recipe_sha256", "the SHA-256 of the recipe").string();
-    made.version = root.at("version", "a version").string();
-    root.at("inputs", "a list of inputs").items(mostInputs, [&](const io::JsonCursor& input) {
-        made.inputs.push_back({input.at("role", "a role").string(),
-                               {input.at("path", "a path").string(), input.at("bytes", "a number of bytes").integer(),
-                                input.at("sha256", "a SHA-256").string()}});
+    const std::string stated = root.at("key", LT_TEXT("Engine", "the key of the evaluation")).string();
+    made.task = root.at("task", LT_TEXT("Engine", "the key of a task")).string();
+    made.recipe_sha256 = root.at("recipe_sha256", LT_TEXT("Engine", "the SHA-256 of the recipe")).string();
+    made.version = root.at("version", LT_TEXT("Engine", "a version")).string();
+    root.at("inputs", LT_TEXT("Engine", "a list of inputs")).items(mostInputs, [&](const io::JsonCursor& input) {
+        made.inputs.push_back({input.at("role", LT_TEXT("Engine", "a role")).string(),
+                               {input.at("path", LT_TEXT("Engine", "a path")).string(),
+                                input.at("bytes", LT_TEXT("Engine", "a number of bytes")).integer(),
+                                input.at("sha256", LT_TEXT("Engine", "a SHA-256")).string()}});
     });
-    made.exit_code = static_cast<int>(root.at("exit_code", "an exit code").integer());
+    made.exit_code = static_cast<int>(root.at("exit_code", LT_TEXT("Engine", "an exit code")).integer());
     made.verdict = verdictFrom(root);
     const Json& json = document.json();
     const auto characteristics = json.find("characteristics");
     if (characteristics == json.end() || !characteristics->is_array())
-        root.at("characteristics", "a list of characteristics").reject("a list of characteristics");
+        root.at("characteristics", LT_TEXT("Engine", "a list of characteristics"))
+            .reject(LT_TEXT("Engine", "a list of characteristics"));
     std::size_t place = 0;
     for (const Json& one : *characteristics) {
         auto characteristic = task::characteristicFrom(one);
         if (!characteristic)
-            throw io::misfit(document.text(), {"characteristics", std::to_string(place)}, "a characteristic");
+            throw io::misfit(document.text(), {"characteristics", std::to_string(place)},
+                             LT_TEXT("Engine", "a characteristic"));
         made.characteristics.push_back(*std::move(characteristic));
         ++place;
     }

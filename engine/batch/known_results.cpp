@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/batch/batch_codes.h"
+#include "engine/core/verdict_json.h"
 #include "engine/io/io_codes.h"
 
 namespace lathelier::batch {
@@ -34,8 +35,7 @@ public:
     {
         if (depth_ != 1) return true;
         if (member_ == "key") evaluationKey_ = value;
-        for (const Verdict one : {Verdict::Pass, Verdict::Fail, Verdict::Undecided})
-            if (member_ == "verdict" && value == lathelier::key(one)) verdict_ = one;
+        if (member_ == "verdict") verdict_ = verdictOf(value);
         return true;
     }
     bool start_object(std::size_t /*size*/) override { return enter(); }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/verdict_json.h"
 #include "engine/io/file.h"
 #include "engine/io/json/json_document.h"
 
@@ -47,8 +48,7 @@ ChainStep stepOf(const io::JsonCursor& item)
     step.inputs = listAt<InputFile>(item, "inputs", fileOf);
     step.outputs = listAt<InputFile>(item, "outputs", fileOf);
     step.result = wordAt(item, "result");
-    for (const Verdict verdict : {Verdict::Pass, Verdict::Fail, Verdict::Undecided})
-        if (wordAt(item, "verdict") == key(verdict)) step.verdict = verdict;
+    step.verdict = verdictOf(wordAt(item, "verdict"));
     step.request = wordAt(item, "request");
     step.remarks = listAt<std::string>(item, "remarks", [](const io::JsonCursor& word) { return word.string(); });
     return step;
@@ -116,8 +116,7 @@ Dossier dossierFrom(std::string text)
     dossier.steps = listAt<ChainStep>(root, "steps", stepOf);
     dossier.numbers = listAt<TracedNumber>(root, "numbers", numberOf);
     dossier.confirmed = listAt<Confirmation>(root, "confirmed", confirmationOf);
-    for (const Verdict verdict : {Verdict::Pass, Verdict::Fail, Verdict::Undecided})
-        if (wordAt(root, "verdict") == key(verdict)) dossier.verdict = verdict;
+    dossier.verdict = verdictOf(wordAt(root, "verdict"));
     addAsWritten(document.json(), dossier);
     return dossier;
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/units.h"
+#include "engine/core/verdict_json.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/deflection_quantities.h"
 #include "engine/report/quantity_table.h"
@@ -172,7 +173,7 @@ TurningStudy studyTurning(const TurningJob& job, const StudyParameters& paramete
 Json toJson(const TurningStudy& study)
 {
     Json json = nestedJson(describedValues(study.prediction));
-    json["verdict"] = study.verdict ? Json(std::string(key(*study.verdict))) : Json();
+    json["verdict"] = verdictJson(study.verdict);
     json["static_compliance"] = nestedJson(describedValues(study.compliance));
     if (study.stock)
         json.update(nestedJson(describedValues(*study.stock)));

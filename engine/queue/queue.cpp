@@ -185,6 +185,12 @@ void retryLater(archive::Archive& archive, const Job& job, const std::string& wo
     change(archive, job, worker, job.tries < mostTries ? "state = 'waiting'" : "state = 'failed'", errorText(error));
 }
 
+bool isIdle(archive::Archive& archive)
+{
+    const sql::Transaction transaction(archive.connection(), sql::TransactionKind::Read);
+    return !archive.connection().word("SELECT key FROM job WHERE state IN ('waiting', 'running') LIMIT 1");
+}
+
 QueueState stateOf(archive::Archive& archive)
 {
     QueueState state;

@@ -76,6 +76,9 @@ struct QueueState {
     std::vector<FailedJob> failures;  ///< in the order in which they were queued
 };
 
+/// Whether no part waits and none is being worked on.
+bool isIdle(archive::Archive& archive);
+
 QueueState stateOf(archive::Archive& archive);
 
 /// Failed jobs wait again, with three tries. Returns how many.

@@ -168,11 +168,8 @@ private:
     /// False: no part waits and no worker has one.
     bool waitForMore()
     {
-        const QueueState state = stateOf(archive_);
-        const std::int64_t all = state.waiting + state.running + state.done + state.failed;
-        progress_.part(0, 1, LT_TEXT("Engine", "Waiting for parts"))
-            .report(all > 0 ? static_cast<double>(state.done + state.failed) / static_cast<double>(all) : 0);
-        if (!settings_.waits && state.waiting == 0 && state.running == 0) return false;
+        if (!settings_.waits && isIdle(archive_)) return false;
+        progress_.part(0, 1, LT_TEXT("Engine", "Waiting for parts")).report(0);
         constexpr int looksAtStop = 10;
         for (int i = 0; i < looksAtStop; ++i) {
             progress_.check();

@@ -19,6 +19,16 @@ int columnsOf(int angle_count)
 
 }  // namespace
 
+const std::vector<QuantityOf<CoarseMap>>& quantitiesOf(const CoarseMap*)
+{
+    using M = CoarseMap;
+    static const auto all =
+        describedBy<M>(quantity<M>("z_start_mm", &M::z_start_mm), quantity<M>("z_step_mm", &M::z_step_mm),
+                       quantity<M>("z_count", &M::z_count), quantity<M>("angle_count", &M::angle_count),
+                       quantity<M>("mean_mm", &M::mean_mm));
+    return all;
+}
+
 CoarseMap coarseOf(const UnrolledMap& map)
 {
     CoarseMap coarse;

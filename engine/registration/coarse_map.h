@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "engine/core/quantities.h"
 #include "engine/registration/compare.h"
 
 namespace lathelier::registration {
@@ -19,6 +20,8 @@ struct CoarseMap {
     int angle_count = 0;  ///< over 360°, cell centres at (j + ½)·360/angle_count
     std::vector<double> mean_mm;
 };
+
+const std::vector<QuantityOf<CoarseMap>>& quantitiesOf(const CoarseMap*);
 
 CoarseMap coarseOf(const UnrolledMap& map);
 

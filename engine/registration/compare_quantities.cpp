@@ -178,46 +178,40 @@ const std::vector<QuantityOf<CompareResult>>& quantitiesOf(const CompareResult*)
     using C = CompareResult;
     using P = CompareParameters;
     const auto asked = [](auto P::*member) { return [member](const C& c) { return c.parameters.*member; }; };
-    const auto coarse = [](auto CoarseMap::*member) {
-        return [member](const C& c) { return c.unrolled ? detail::asValue(coarseOf(*c.unrolled).*member) : Value(); };
-    };
-    static const auto all =
-        describedBy<C>(quantity<C>("method_used", [](const C& c) { return methodKey(c.method_used); }),
-                       included(&C::alignment), statisticsWithin(),
-                       quantity<C>("within_tolerance_percent", &C::within_tolerance_percent,
-                                   {LT_TEXT("Engine", "Share within tolerance"), unit::percent, 2}),
-                       quantity<C>("scatter_mm", &C::scatter_mm,
-                                   {LT_TEXT("Engine", "Noise of the points about the surface"), unit::mm, 4}),
-                       quantity<C>("verdict_rule", [](const C& c) { return key(c.parameters.verdict_rule); }),
-                       quantity<C>("decision_rule", [](const C& c) { return key(c.parameters.decision); }),
-                       quantity<C>("verdict", verdictKey<C>), part("worst", &C::worst),
-                       quantity<C>("findings", [](const C& c) { return listed(c.findings); }),
-                       quantity<C>("distinguishable_from_scanner", &C::distinguishable_from_scanner,
-                                   {LT_TEXT("Engine", "Difference told from the scanner's accuracy")}),
-                       quantity<C>("cloud_to_cloud_rmse_mm", &C::cloud_to_cloud_rmse_mm,
-                                   {LT_TEXT("Engine", "Cloud-to-cloud RMSE"), unit::mm, 4}),
-                       quantity<C>("cloud_to_cloud_rmse_standard_error_mm", &C::cloud_to_cloud_rmse_error_mm),
-                       quantity<C>("sampling_floor_mm", &C::sampling_floor_mm,
-                                   {LT_TEXT("Engine", "Its floor: what sampling alone gives"), unit::mm, 4}),
-                       quantity<C>("zones", [](const C& c) { return listed(c.zones); }),
-                       part("histogram", &C::histogram), quantity<C>("map.z_start_mm", coarse(&CoarseMap::z_start_mm)),
-                       quantity<C>("map.z_step_mm", coarse(&CoarseMap::z_step_mm)),
-                       quantity<C>("map.z_count", coarse(&CoarseMap::z_count)),
-                       quantity<C>("map.angle_count", coarse(&CoarseMap::angle_count)),
-                       quantity<C>("map.mean_mm", coarse(&CoarseMap::mean_mm)),
-                       // In tables beside the results; JSON has them under "parameters".
-                       quantity<C>("tolerance_mm", asked(&P::tolerance_mm),
-                                   {LT_TEXT("Engine", "Tolerance, plus and minus"), unit::mm, 3, false}),
-                       quantity<C>("pass_percent", asked(&P::pass_percent),
-                                   {LT_TEXT("Engine", "Share needed to pass"), unit::percent, 2, false}),
-                       quantity<C>("scanner_accuracy_mm", asked(&P::scanner_accuracy_mm),
-                                   {LT_TEXT("Engine", "Scanner's accuracy"), unit::mm, 3, false}));
+    static const auto all = describedBy<C>(
+        quantity<C>("method_used", [](const C& c) { return methodKey(c.method_used); }), included(&C::alignment),
+        statisticsWithin(),
+        quantity<C>("within_tolerance_percent", &C::within_tolerance_percent,
+                    {LT_TEXT("Engine", "Share within tolerance"), unit::percent, 2}),
+        quantity<C>("scatter_mm", &C::scatter_mm,
+                    {LT_TEXT("Engine", "Noise of the points about the surface"), unit::mm, 4}),
+        quantity<C>("verdict_rule", [](const C& c) { return key(c.parameters.verdict_rule); }),
+        quantity<C>("decision_rule", [](const C& c) { return key(c.parameters.decision); }),
+        quantity<C>("verdict", verdictKey<C>), part("worst", &C::worst),
+        quantity<C>("findings", [](const C& c) { return listed(c.findings); }),
+        quantity<C>("distinguishable_from_scanner", &C::distinguishable_from_scanner,
+                    {LT_TEXT("Engine", "Difference told from the scanner's accuracy")}),
+        quantity<C>("cloud_to_cloud_rmse_mm", &C::cloud_to_cloud_rmse_mm,
+                    {LT_TEXT("Engine", "Cloud-to-cloud RMSE"), unit::mm, 4}),
+        quantity<C>("cloud_to_cloud_rmse_standard_error_mm", &C::cloud_to_cloud_rmse_error_mm),
+        quantity<C>("sampling_floor_mm", &C::sampling_floor_mm,
+                    {LT_TEXT("Engine", "Its floor: what sampling alone gives"), unit::mm, 4}),
+        quantity<C>("zones", [](const C& c) { return listed(c.zones); }),
+        part("histogram", &C::histogram),  // In tables beside the results; JSON has them under "parameters".
+        quantity<C>("tolerance_mm", asked(&P::tolerance_mm),
+                    {LT_TEXT("Engine", "Tolerance, plus and minus"), unit::mm, 3, false}),
+        quantity<C>("pass_percent", asked(&P::pass_percent),
+                    {LT_TEXT("Engine", "Share needed to pass"), unit::percent, 2, false}),
+        quantity<C>("scanner_accuracy_mm", asked(&P::scanner_accuracy_mm),
+                    {LT_TEXT("Engine", "Scanner's accuracy"), unit::mm, 3, false}));
     return all;
 }
 
 Json toJson(const CompareResult& result)
 {
-    return nestedJson(describedValues(result));
+    Json json = nestedJson(describedValues(result));
+    json["map"] = result.unrolled ? nestedJson(describedValues(coarseOf(*result.unrolled))) : Json(nullptr);
+    return json;
 }
 
 }  // namespace lathelier::registration

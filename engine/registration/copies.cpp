@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/units.h"
+#include "engine/core/verdict_json.h"
 #include "engine/registration/compare_quantities.h"
 
 namespace lathelier::registration {
@@ -28,7 +29,7 @@ Json toJson(const std::vector<CopySummary>& copies)
         if (copy.error) {
             one["error"] = lathelier::toJson(*copy.error);
         } else {
-            one["verdict"] = copy.verdict ? Json(std::string(key(*copy.verdict))) : Json(nullptr);
+            one["verdict"] = verdictJson(copy.verdict);
             one["worst"] = copy.worst ? nestedJson(describedValues(*copy.worst)) : Json(nullptr);
             one["mean_mm"] = number(copy.mean_mm);
             one["rmse_mm"] = number(copy.rmse_mm);

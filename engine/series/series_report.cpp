@@ -1,12 +1,13 @@
 #include "engine/series/series_report.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/archive/archive_json.h"
 #include "engine/core/significant_digits.h"
 #include "engine/core/units.h"
+#include "engine/core/verdict_json.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/quantity_table.h"
 
@@ -15,9 +16,6 @@ namespace {
 
 constexpr std::size_t mostMarks = 5;
 constexpr int leastDecimals = 3;
-constexpr std::array unitsShown{unit::mm,     unit::um,   unit::deg,   unit::percent, unit::hz,
-                                unit::newton, unit::N_mm, unit::m_min, unit::mm_rev,  unit::rpm,
-                                unit::N_mm2,  unit::mm3,  unit::s};
 
 Value valueOf(const std::optional<double>& value)
 {
@@ -98,9 +96,9 @@ void addControl(report::Plot& plot, const SeriesOutcome& outcome)
     plot.curves.push_back(across({}, *chart.upper_control_limit, outcome, Style::Dashed, report::ColourRole::Neutral));
 }
 
-std::size_t outsideOf(const archive::SeriesPoint& point)
+bool isOutside(const archive::SeriesPoint& point)
 {
-    return point.verdict == Verdict::Fail ? 1 : 0;
+    return point.verdict == Verdict::Fail;
 }
 
 report::Finding findingOf(const SeriesOutcome& outcome, std::size_t index, int decimals, const Language& language)
@@ -123,7 +121,7 @@ std::vector<report::Finding> findingsOf(const SeriesOutcome& outcome, int decima
     constexpr std::size_t mostFindings = 3;
     std::vector<report::Finding> findings;
     for (std::size_t i = outcome.points.size(); i > 0 && findings.size() < mostFindings; --i)
-        if (outsideOf(outcome.points[i - 1]) > 0) findings.push_back(findingOf(outcome, i - 1, decimals, language));
+        if (isOutside(outcome.points[i - 1])) findings.push_back(findingOf(outcome, i - 1, decimals, language));
     return findings;
 }
 
@@ -134,22 +132,17 @@ std::string shownName(const archive::ArchivedCharacteristic& characteristic, con
     if (characteristic.key == "answer")
         return fill(text(LT_TEXT("Engine", "Answer of {task}"), language), {{"task", characteristic.task}}, language);
     std::string name;
-    for (const char letter : characteristic.key)
+    for (const char letter : task::withoutUnit(characteristic.key))
         if (letter == '.')
             name += " › ";
         else
             name += letter == '_' ? ' ' : letter;
-    const std::string& unit = characteristic.unit;
-    const std::string ending = " " + (unit == "µm" ? std::string("um") : unit);
-    if (!unit.empty() && name.ends_with(ending)) name.resize(name.size() - ending.size());
     return name;
 }
 
 Text unitOf(const archive::ArchivedCharacteristic& characteristic)
 {
-    for (const Text& one : unitsShown)
-        if (characteristic.unit == one.english) return one;
-    return {};
+    return task::unitNamed(characteristic.unit);
 }
 
 report::Plot seriesPlot(const SeriesOutcome& outcome, const Language& language)
@@ -170,11 +163,9 @@ report::Plot seriesPlot(const SeriesOutcome& outcome, const Language& language)
     reach.has_readout = false;
     line.has_readout = false;
     line.thin = true;
-    bool any_outside = false;
     for (std::size_t i = 0; i < outcome.points.size(); ++i) {
         const archive::SeriesPoint& point = outcome.points[i];
-        const bool is_outside = outsideOf(point) > 0;
-        any_outside = any_outside || is_outside;
+        const bool is_outside = isOutside(point);
         line.y.push_back(point.value);
         inside.y.push_back(is_outside ? notANumber : point.value);
         outside.y.push_back(is_outside ? point.value : notANumber);
@@ -189,7 +180,7 @@ report::Plot seriesPlot(const SeriesOutcome& outcome, const Language& language)
     if (!reach.x.empty()) plot.curves.push_back(std::move(reach));
     plot.curves.push_back(std::move(line));
     plot.curves.push_back(std::move(inside));
-    if (any_outside) plot.curves.push_back(std::move(outside));
+    if (outcome.chart.out_of_tolerance > 0) plot.curves.push_back(std::move(outside));
     addLimits(plot, outcome, language);
     return plot;
 }
@@ -362,22 +353,13 @@ Json toJson(const SeriesOutcome& outcome)
               {"task", outcome.chosen.task},
               {"characteristic", outcome.chosen.key},
               {"unit", outcome.chosen.unit}};
-    const auto verdict = outcome.verdict();
-    json["verdict"] = verdict ? Json(std::string(key(*verdict))) : Json(nullptr);
+    json["verdict"] = verdictJson(outcome.verdict());
     json.update(nestedJson(describedValues(outcome.chart)));
     json["points"] = Json::array();
-    for (const archive::SeriesPoint& point : outcome.points)
-        json["points"].push_back({{"uuid", point.uuid},
-                                  {"recorded_at", point.recorded_at},
-                                  {"file", point.file},
-                                  {"value", number(point.value)},
-                                  {"expanded_uncertainty", number(point.expanded_uncertainty)},
-                                  {"lower_limit", number(point.lower_limit)},
-                                  {"upper_limit", number(point.upper_limit)},
-                                  {"verdict", point.verdict ? Json(std::string(key(*point.verdict))) : Json(nullptr)}});
+    for (const archive::SeriesPoint& point : outcome.points) json["points"].push_back(archive::toJson(point));
     json["characteristics"] = Json::array();
     for (const archive::ArchivedCharacteristic& one : outcome.characteristics)
-        json["characteristics"].push_back({{"task", one.task}, {"key", one.key}, {"unit", one.unit}});
+        json["characteristics"].push_back(archive::toJson(one));
     return json;
 }
 

@@ -6,40 +6,43 @@
 #include <set>
 #include <string_view>
 
+#include "engine/core/units.h"
+#include "engine/core/verdict_json.h"
+
 namespace lathelier::task {
 namespace {
 
 struct UnitOfKey {
     std::string_view suffix;  ///< of the key, with its underscore
-    std::string_view shown;
+    Text shown;
 };
 
 /// Longest first: "_N_mm2" ends as "_mm2" does.
-constexpr UnitOfKey unitsOfKeys[] = {{"_N_mm_rad", "N·mm/rad"},
-                                     {"_mm_min", "mm/min"},
-                                     {"_um_per_V", "µm/V"},
-                                     {"_N_mm2", "N/mm²"},
-                                     {"_percent", "%"},
-                                     {"_N_mm", "N/mm"},
-                                     {"_mm_N", "mm/N"},
-                                     {"_um_N", "µm/N"},
-                                     {"_m_min", "m/min"},
-                                     {"_mm_rev", "mm/rev"},
-                                     {"_rpm", "1/min"},
-                                     {"_deg", "°"},
-                                     {"_rad", "rad"},
-                                     {"_mm2", "mm²"},
-                                     {"_mm3", "mm³"},
-                                     {"_um", "µm"},
-                                     {"_mm", "mm"},
-                                     {"_hz", "Hz"},
-                                     {"_MPa", "MPa"},
-                                     {"_kHz", "kHz"},
-                                     {"_upr", "UPR"},
-                                     {"_kg", "kg"},
-                                     {"_N", "N"},
-                                     {"_s", "s"},
-                                     {"_V", "V"}};
+constexpr UnitOfKey unitsOfKeys[] = {{"_N_mm_rad", LT_TEXT("Engine", "N·mm/rad")},
+                                     {"_mm_min", LT_TEXT("Engine", "mm/min")},
+                                     {"_um_per_V", LT_TEXT("Engine", "µm/V")},
+                                     {"_percent", unit::percent},
+                                     {"_N_mm2", unit::N_mm2},
+                                     {"_N_mm", unit::N_mm},
+                                     {"_mm_N", LT_TEXT("Engine", "mm/N")},
+                                     {"_um_N", LT_TEXT("Engine", "µm/N")},
+                                     {"_m_min", unit::m_min},
+                                     {"_mm_rev", unit::mm_rev},
+                                     {"_rpm", unit::rpm},
+                                     {"_deg", unit::deg},
+                                     {"_rad", LT_TEXT("Engine", "rad")},
+                                     {"_mm2", LT_TEXT("Engine", "mm²")},
+                                     {"_mm3", unit::mm3},
+                                     {"_um", unit::um},
+                                     {"_mm", unit::mm},
+                                     {"_hz", unit::hz},
+                                     {"_kHz", LT_TEXT("Engine", "kHz")},
+                                     {"_MPa", LT_TEXT("Engine", "MPa")},
+                                     {"_upr", LT_TEXT("Engine", "UPR")},
+                                     {"_kg", LT_TEXT("Engine", "kg")},
+                                     {"_N", unit::newton},
+                                     {"_s", unit::s},
+                                     {"_V", LT_TEXT("Engine", "V")}};
 
 constexpr std::string_view expanded = "_expanded_uncertainty";
 constexpr std::string_view valueStems[] = {"value", "mean", "deviation"};
@@ -55,7 +58,7 @@ SplitKey split(const std::string& key)
 {
     for (const UnitOfKey& unit : unitsOfKeys)
         if (key.size() > unit.suffix.size() && key.ends_with(unit.suffix))
-            return {key.substr(0, key.size() - unit.suffix.size()), std::string(unit.suffix), std::string(unit.shown)};
+            return {key.substr(0, key.size() - unit.suffix.size()), std::string(unit.suffix), unit.shown.english};
     return {key, {}, {}};
 }
 
@@ -73,17 +76,9 @@ std::optional<double> numberOf(const Json& object, const std::string& key)
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::optional<Verdict> verdictFrom(const Json& word)
+std::optional<Verdict> verdictIn(const Json& word)
 {
-    if (!word.is_string()) return std::nullopt;
-    for (const Verdict verdict : {Verdict::Pass, Verdict::Fail, Verdict::Undecided})
-        if (word.get_ref<const std::string&>() == lathelier::key(verdict)) return verdict;
-    return std::nullopt;
-}
-
-Json wordOf(const std::optional<Verdict>& verdict)
-{
-    return verdict ? Json(std::string(lathelier::key(*verdict))) : Json(nullptr);
+    return word.is_string() ? verdictOf(word.get_ref<const std::string&>()) : std::nullopt;
 }
 
 class Collector {
@@ -138,7 +133,7 @@ private:
                 one.upper_limit = *limit;
             }
             const auto verdict = json.find("verdict");
-            if (verdict != json.end()) one.verdict = verdictFrom(*verdict);
+            if (verdict != json.end()) one.verdict = verdictIn(*verdict);
         }
         found_.push_back(std::move(one));
     }
@@ -191,6 +186,18 @@ private:
 
 }  // namespace
 
+Text unitNamed(std::string_view shown)
+{
+    for (const UnitOfKey& one : unitsOfKeys)
+        if (shown == one.shown.english) return one.shown;
+    return {};
+}
+
+std::string withoutUnit(const std::string& key)
+{
+    return split(key).stem;
+}
+
 std::vector<Characteristic> characteristicsOf(const Json& result)
 {
     return result.is_object() ? Collector().take(result) : std::vector<Characteristic>();
@@ -224,7 +231,7 @@ Json toJson(const Characteristic& characteristic)
             {"expanded_uncertainty", lathelier::number(characteristic.expanded_uncertainty)},
             {"lower_limit", lathelier::number(characteristic.lower_limit)},
             {"upper_limit", lathelier::number(characteristic.upper_limit)},
-            {"verdict", wordOf(characteristic.verdict)}};
+            {"verdict", verdictJson(characteristic.verdict)}};
 }
 
 std::optional<Characteristic> characteristicFrom(const Json& json)
@@ -238,7 +245,7 @@ std::optional<Characteristic> characteristicFrom(const Json& json)
     one.expanded_uncertainty = numberOf(json, "expanded_uncertainty");
     one.lower_limit = numberOf(json, "lower_limit");
     one.upper_limit = numberOf(json, "upper_limit");
-    if (const auto verdict = json.find("verdict"); verdict != json.end()) one.verdict = verdictFrom(*verdict);
+    if (const auto verdict = json.find("verdict"); verdict != json.end()) one.verdict = verdictIn(*verdict);
     return one;
 }
 

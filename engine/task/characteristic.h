@@ -15,6 +15,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/conformity.h"
@@ -33,6 +34,12 @@ struct Characteristic {
     std::optional<Verdict> verdict;  ///< none: not judged
     friend bool operator==(const Characteristic&, const Characteristic&) = default;
 };
+
+/// The unit of this text (Characteristic::unit), for axes and tables; empty: not known.
+Text unitNamed(std::string_view shown);
+
+/// "zones.seat.mean" of "zones.seat.mean_mm".
+std::string withoutUnit(const std::string& key);
 
 /// Of a result object as Outcome::json() gives it, in its order. Keys are unique.
 std::vector<Characteristic> characteristicsOf(const Json& result);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/gui/panels.h"
+#include "engine/batch/recipe_file.h"
 #include "engine/cad/task/compare_task.h"
 #include "engine/cam/job_file.h"
 #include "engine/cam/task/turn_task.h"
@@ -89,8 +90,9 @@ class TaskAnswersTest : public QObject {
         return state;
     }
 
-    static Json ofVerb(const task::Task& task, const project::PanelState& state, const Values& begins_with = {},
-                       std::map<std::string, std::string> exports = {})
+    /// As it is typed.
+    static task::Request requestOf(const task::Task& task, const project::PanelState& state,
+                                   const Values& begins_with = {})
     {
         task::Request request;
         request.parameters = begins_with;
@@ -98,7 +100,6 @@ class TaskAnswersTest : public QObject {
             const auto is_field = [&key = key](const FieldInfo& field) { return field.key == key; };
             if (std::any_of(task.fields.begin(), task.fields.end(), is_field)) set(request.parameters, key, value);
         }
-        request.exports = std::move(exports);
         for (const task::Input& input : task.inputs)
             for (const std::string& key : project::keysOf(state, input.role)) {
                 const project::Source& source = state.inputs.at(key);
@@ -108,6 +109,14 @@ class TaskAnswersTest : public QObject {
                 else
                     set(request.parameters, input.option, source.path);
             }
+        return request;
+    }
+
+    static Json ofVerb(const task::Task& task, const project::PanelState& state, const Values& begins_with = {},
+                       std::map<std::string, std::string> exports = {})
+    {
+        task::Request request = requestOf(task, state, begins_with);
+        request.exports = std::move(exports);
         return task::resultOf(task, task::reply(task, request, {}));
     }
 
@@ -176,6 +185,23 @@ private slots:
         std::map<std::string, std::string> exports;
         if (id == "correction") exports["compensate"] = path("corrected.nc");
         areEqual(ofPanel(facts, state), ofVerb(task, state, facts.begins_with, exports));
+    }
+
+    /// "Recipe for many parts" of the panel and --save-recipe of the verb are one recipe.
+    void recipesAreOne_data() { everyPanelOverATask_data(); }
+    void recipesAreOne()
+    {
+        QFETCH(QString, id);
+        const PanelFacts& facts = factsOf(id.toStdString());
+        const task::Task& task = *facts.task;
+        const project::PanelState state = stateOf(facts);
+        if (!batch::hasVaried(task, state)) return;
+        const task::Request typed = requestOf(task, state);
+        const batch::Recipe panel = batch::recipeOf(task, state);
+        const batch::Recipe verb = batch::recipeOf(task, task::statedState(task, typed.operands, typed.parameters));
+        const QString shown = QString::fromStdString(batch::contentOf(verb).dump());
+        QCOMPARE(QString::fromStdString(batch::contentOf(panel).dump()), shown);
+        QCOMPARE(batch::identityOf(panel), batch::identityOf(verb));
     }
 
     void deflectionWithASpindleAndAnInsertOfTheLibrary()

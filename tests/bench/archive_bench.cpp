@@ -80,24 +80,33 @@ Archive& filled(bool is_file)
     return *archive;
 }
 
-bool isThere(benchmark::State& state)
+/// 0: a file; 1: the database, where there is one.
+void inEach(benchmark::internal::Benchmark* of, const std::vector<std::int64_t>& most)
 {
-    const bool is_file = state.range(0) == 0;
-    if (is_file || std::getenv("LATHELIER_BENCH_DATABASE") != nullptr) return true;
-    state.SkipWithError("LATHELIER_BENCH_DATABASE is not set");
-    return false;
+    const std::int64_t last = std::getenv("LATHELIER_BENCH_DATABASE") != nullptr ? 1 : 0;
+    for (std::int64_t database = 0; database <= last; ++database)
+        for (const std::int64_t one : most) of->Args({database, one});
+    of->Unit(benchmark::kMillisecond);
+}
+
+void listed(benchmark::internal::Benchmark* of)
+{
+    inEach(of, {1000});
+}
+
+void charted(benchmark::internal::Benchmark* of)
+{
+    inEach(of, {1000, 10'000, 0});
 }
 
 void listLatest(benchmark::State& state)
 {
-    if (!isThere(state)) return;
     const Archive& archive = filled(state.range(0) == 0);
     for (auto _ : state) benchmark::DoNotOptimize(archive.list({.most = 1000}));
 }
 
 void listByCharacteristic(benchmark::State& state)
 {
-    if (!isThere(state)) return;
     const Archive& archive = filled(state.range(0) == 0);
     for (auto _ : state)
         benchmark::DoNotOptimize(archive.list({.characteristic = "zones.zone_7.mean_mm", .most = 1000}));
@@ -105,14 +114,13 @@ void listByCharacteristic(benchmark::State& state)
 
 void series(benchmark::State& state)
 {
-    if (!isThere(state)) return;
     const Archive& archive = filled(state.range(0) == 0);
     for (auto _ : state) benchmark::DoNotOptimize(archive.series("zones.zone_7.mean_mm", {.most = state.range(1)}));
 }
 
-BENCHMARK(listLatest)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK(listByCharacteristic)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK(series)->ArgsProduct({{0, 1}, {1000, 10'000, 0}})->Unit(benchmark::kMillisecond);
+BENCHMARK(listLatest)->Apply(listed);
+BENCHMARK(listByCharacteristic)->Apply(listed);
+BENCHMARK(series)->Apply(charted);
 
 }  // namespace
 }  // namespace lathelier::archive

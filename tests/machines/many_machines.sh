@@ -8,7 +8,7 @@ cli=$(realpath "$1")
 page=$(realpath "$2")
 
 # Other users have to reach the folder: PostgreSQL refuses to run as root.
-folder=$(mktemp -d /tmp/lathelier-machines-XXXXXX)
+folder=$(mktemp -d -t lathelier-machines-XXXXXX)
 chmod 755 "$folder"
 cd "$folder"
 mkdir bin
@@ -135,6 +135,7 @@ done
 [[ $(grep -c '"verdict":"fail","characteristics"' plain.jsonl) == 3 ]] || fail "not three parts are out of tolerance"
 known_bad=$(tr -d ' \n' < day/truth.json | grep -o '"file":"parts/[^"]*","seat_oversize_um":[^,]*,"out_of_tolerance":true' |
     grep -o 'part-[0-9]*.ply')
+[[ $(wc -w <<< "$known_bad") == 3 ]] || fail "the truth does not name three bad parts"
 for bad in $known_bad; do
     grep -q "\"path\":\"$bad\".*\"verdict\":\"fail\",\"characteristics\"" plain.jsonl || fail "$bad was not found"
 done

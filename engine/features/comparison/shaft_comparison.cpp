@@ -6,6 +6,7 @@
 #include <span>
 #include <variant>
 
+#include "engine/core/verdict_json.h"
 #include "engine/features/comparison/mark_matching.h"
 #include "engine/features/comparison/shaft_mesh.h"
 #include "engine/features/features_codes.h"
@@ -191,7 +192,7 @@ Json toJson(const ShaftComparison& result)
 {
     Json json = registration::toJson(result.surface);
     json["surface_verdict"] = json["verdict"];
-    json["verdict"] = result.verdict ? Json(std::string(key(*result.verdict))) : Json(nullptr);
+    json["verdict"] = verdictJson(result.verdict);
     json["rows"] = Json::array();
     for (const ComparedRow& row : result.rows) json["rows"].push_back(nestedJson(describedValues(row)));
     return json;

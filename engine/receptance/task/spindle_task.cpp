@@ -9,6 +9,7 @@
 #include "engine/core/json.h"
 #include "engine/core/statistics.h"
 #include "engine/core/units.h"
+#include "engine/core/verdict_json.h"
 #include "engine/io/file.h"
 #include "engine/io/json/json_locate.h"
 #include "engine/receptance/receptance_codes.h"
@@ -114,7 +115,7 @@ Json jsonOf(const SpindleOutcome& outcome)
     if (!outcome.identified) return Json::parse(spindleText(outcome.spindle));
     Json json = nestedJson(describedValues(*outcome.identified));
     const std::optional<Verdict> verdict = verdictOf(outcome);
-    json["verdict"] = verdict ? Json(std::string(key(*verdict))) : Json();
+    json["verdict"] = verdictJson(verdict);
     json["residual_percent"] = outcome.check->residual_percent;
     json["responses"] = Json::array();
     for (const CheckedResponse& response : outcome.check->responses)

@@ -1,36 +1,12 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <chrono>
-#include <csignal>
 #include <random>
-#include <thread>
 
 #include "tests/engine/batch/number_task.h"
+#include "tests/killed_process.h"
 
 namespace lathelier::batch {
 namespace {
-
-/// Runs the batch in a process of its own, which is killed after `life`; whether it ended by itself.
-bool runAndKill(const std::string& parts, const Recipe& recipe, const BatchSettings& settings,
-                std::chrono::milliseconds life)
-{
-    const pid_t child = ::fork();
-    if (child == 0) {
-        try {
-            runBatch({parts}, recipe, settings);
-        } catch (...) {
-            ::_exit(1);
-        }
-        ::_exit(0);
-    }
-    std::this_thread::sleep_for(life);
-    ::kill(child, SIGKILL);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return WIFEXITED(status);
-}
 
 TEST(KilledBatch, is_continued_without_loss_or_repetition)
 {
@@ -44,7 +20,7 @@ TEST(KilledBatch, is_continued_without_loss_or_repetition)
     std::uniform_int_distribution<int> life_ms(20, 120);
     int killed = 0;
     for (int i = 0; i < 5; ++i)
-        if (!runAndKill(parts, recipe, settings, std::chrono::milliseconds(life_ms(random)))) ++killed;
+        killed += workAndKill([&] { runBatch({parts}, recipe, settings); }, std::chrono::milliseconds(life_ms(random)));
     EXPECT_GT(killed, 0);
     const BatchResult rest = runBatch({parts}, recipe, settings);
     EXPECT_EQ(rest.parts, 250);

@@ -1,11 +1,8 @@
 #include "engine/queue/queue.h"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <csignal>
 #include <random>
 #include <thread>
 
@@ -14,6 +11,7 @@
 #include "engine/queue/worker.h"
 #include "tests/engine/archive/archive_fixture.h"
 #include "tests/engine/batch/number_task.h"
+#include "tests/killed_process.h"
 
 namespace lathelier::queue {
 namespace {
@@ -206,25 +204,6 @@ TEST_P(Queue, stopped_worker_gives_its_part_back)
     EXPECT_EQ(state().done, 3);
 }
 
-/// Works in a process of its own, which is killed after `life`; whether it was.
-bool workAndKill(const WorkSettings& settings, std::chrono::milliseconds life)
-{
-    const pid_t child = ::fork();
-    if (child == 0) {
-        try {
-            work(settings, batch::numberTasks(), {});
-        } catch (...) {
-            ::_exit(1);
-        }
-        ::_exit(0);
-    }
-    std::this_thread::sleep_for(life);
-    ::kill(child, SIGKILL);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return WIFSIGNALED(status);
-}
-
 TEST_P(Queue, killed_workers_lose_and_double_nothing)
 {
     constexpr int parts = 60;
@@ -233,7 +212,8 @@ TEST_P(Queue, killed_workers_lose_and_double_nothing)
     std::uniform_int_distribution<int> life_ms(30, 150);
     int killed = 0;
     for (int i = 0; i < 5; ++i)
-        killed += workAndKill(settingsOf("killed " + std::to_string(i)), std::chrono::milliseconds(life_ms(random)));
+        killed +=
+            workAndKill([&] { workAs("killed " + std::to_string(i)); }, std::chrono::milliseconds(life_ms(random)));
     EXPECT_GT(killed, 0);
     workAs("last");
     EXPECT_EQ(state().done, parts);

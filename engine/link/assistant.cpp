@@ -1,0 +1,156 @@
+#include "engine/link/assistant.h"
+
+#include <cmath>
+
+#include "engine/core/failure.h"
+#include "engine/link/link_codes.h"
+#include "engine/link/program_bar.h"
+#include "engine/stability/stability_codes.h"
+#include "engine/stability/task/speed_entry.h"
+#include "engine/stability/task/speed_task.h"
+
+namespace lathelier::link {
+namespace {
+
+/// Values of the control that the task takes, by the keys of the operator's screen; the depth besides.
+const std::vector<std::string>& enteredNames()
+{
+    static const std::vector<std::string> all{diameterName, lengthName, speedName, lowestName, highestName, depthName};
+    return all;
+}
+
+std::optional<double> valueOf(const ControlValues& values, const char* name)
+{
+    const auto found = values.find(name);
+    return found == values.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// 0 stands for what the control does not state.
+bool isStated(const ControlValues& values, const char* name)
+{
+    const std::optional<double> value = valueOf(values, name);
+    return value && *value != 0;
+}
+
+bool isWithin(const std::optional<double>& value, const std::optional<double>& from, const std::optional<double>& to)
+{
+    return !value || ((!from || *value >= *from) && (!to || *value <= *to));
+}
+
+/// Whether each value lies within its field, and the range runs forward.
+bool areInRange(const ControlValues& values, const Limits& limits)
+{
+    std::vector<FieldInfo> fields = stability::screenFields();
+    for (const FieldInfo& info : infos<stability::SpeedQuestion>())
+        if (info.key == depthName) fields.push_back(info);
+    for (const FieldInfo& info : fields) {
+        if (!isStated(values, info.key.c_str())) continue;
+        if (!isWithin(valueOf(values, info.key.c_str()), info.minimum, info.maximum)) return false;
+    }
+    if (isStated(values, lowestName) && isStated(values, highestName) &&
+        values.at(lowestName) >= values.at(highestName))
+        return false;
+    return isWithin(valueOf(values, diameterName), limits.lowest_diameter_mm, limits.highest_diameter_mm) &&
+           isWithin(valueOf(values, lengthName), limits.lowest_length_mm, limits.highest_length_mm);
+}
+
+State stateOf(const Error& error)
+{
+    return error.code() == errors::noStableSpeed ? State::NoStableSpeed : State::NotComputed;
+}
+
+}  // namespace
+
+Assistant::Assistant(project::PanelState question, const Limits& limits, std::optional<OfProgram> of_program)
+    : question_(std::move(question)), limits_(limits), ofProgram_(of_program)
+{
+}
+
+void Assistant::prepare(const Progress& progress)
+{
+    task::Sources sources;
+    project::PanelState state = question_;
+    // Any values that a machine may have: the answer is not used.
+    for (const auto& [key, value] : {std::pair{stability::diameterKey, 30.0},
+                                     {stability::barLengthKey, 100.0},
+                                     {stability::cuttingSpeedKey, 200.0}})
+        stability::enterValue(state.parameters, key, value);
+    stability::answerSpeed(state, stores_, sources, progress);
+}
+
+bool Assistant::needsProgram(const ControlValues& values) const
+{
+    return ofProgram_ && (!isStated(values, diameterName) || !isStated(values, lengthName));
+}
+
+/// The state with which it is refused without a computation; none: it can be computed.
+std::optional<Reply> Assistant::refused(const ControlValues& values) const
+{
+    const auto with = [](State state) { return Reply{state, {}, {}, {}, {}, {}}; };
+    for (const auto& [name, value] : values)
+        if (!std::isfinite(value)) return with(State::NotUnderstood);
+    if (isStated(values, runningName)) return with(State::Running);
+    for (const char* name : {diameterName, speedName})
+        if (!isStated(values, name)) return with(State::NotUnderstood);
+    if (!areInRange(values, limits_)) return with(State::OutOfRange);
+    return std::nullopt;
+}
+
+Reply Assistant::answer(const ControlValues& asked, const std::optional<std::string>& program, const Progress& progress)
+{
+    ControlValues values = asked;
+    std::optional<ProgramBar> bar;
+    if (needsProgram(values) && !isStated(values, runningName)) {
+        try {
+            if (!program) throw Error(errors::linkProgramEmpty, {});
+            bar = barOfProgram(*program, *ofProgram_, progress);
+        } catch (const Cancelled&) {
+            throw;
+        } catch (const std::exception& failure) {
+            return {State::ProgramNotUsable, {}, {}, {}, {}, toError(failure)};
+        }
+        if (!isStated(values, diameterName)) values[diameterName] = bar->diameter_mm;
+        if (!isStated(values, lengthName)) values[lengthName] = bar->length_mm;
+    }
+    Reply reply;
+    if (const auto no = refused(values))
+        reply = *no;
+    else
+        reply = computed(values, progress);
+    reply.program = bar;
+    return reply;
+}
+
+Reply Assistant::computed(const ControlValues& values, const Progress& progress)
+{
+    project::PanelState state = question_;
+    for (const std::string& name : enteredNames())
+        if (isStated(values, name.c_str())) stability::enterValue(state.parameters, name, values.at(name));
+    Reply reply;
+    try {
+        task::Sources sources;
+        const stability::SpeedOutcome outcome = stability::answerSpeed(state, stores_, sources, progress);
+        reply.assumed = outcome.understanding.assumed;
+        if (outcome.published) reply.selected_rpm = outcome.published->selected_rpm;
+        if (outcome.problem && !outcome.safe) throw Error(*outcome.problem);
+        const std::optional<double> speed_rpm = outcome.recommendedRpm();
+        if (!outcome.understanding.isWhole())
+            reply.state = State::NotModelled;
+        else if (!speed_rpm)
+            reply.state = State::NoStableSpeed;
+        else if (std::round(*speed_rpm) > limits_.highest_rpm)
+            reply.state = State::AboveSpeedLimit;
+        else {
+            reply.state = State::Ok;
+            reply.n_cor_rpm = std::round(*speed_rpm);
+        }
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const std::exception& failure) {
+        reply.error = toError(failure);
+        reply.state = stateOf(*reply.error);
+    }
+    return reply;
+}
+
+}  // namespace lathelier::link

@@ -1,0 +1,245 @@
+#include "engine/link/link_loop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <thread>
+
+#include "engine/link/link_codes.h"
+
+namespace lathelier::link {
+namespace {
+
+constexpr double longestSleep_ms = 20;      // between two looks at a stop
+constexpr double watchedPeriods = 2.5;      // of the heartbeat, before a control counts as free
+constexpr double heldResolution_rpm = 0.5;  // N_cor is a whole number
+
+std::int64_t now_ms()
+{
+    using namespace std::chrono;
+    return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
+}
+
+/// Throws Cancelled when stopped.
+void wait(double ms, const Progress& progress)
+{
+    const std::int64_t end = now_ms() + static_cast<std::int64_t>(std::ceil(ms));
+    for (std::int64_t left = end - now_ms(); left > 0; left = end - now_ms()) {
+        progress.check();
+        std::this_thread::sleep_for(
+            std::chrono::duration<double, std::milli>(std::min(static_cast<double>(left), longestSleep_ms)));
+    }
+    progress.check();
+}
+
+bool isRequest(double value)
+{
+    return std::isfinite(value) && value == std::floor(value) && value >= 1 && value <= static_cast<double>(mostCount);
+}
+
+/// A first number of its own for each assistant, so that two on one control notice each other.
+std::int64_t firstHeartbeat()
+{
+    std::random_device chance;
+    return std::uniform_int_distribution<std::int64_t>(1, mostCount)(chance);
+}
+
+bool areEqual(const ControlValues& a, const ControlValues& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+        return x.first == y.first && (x.second == y.second || (std::isnan(x.second) && std::isnan(y.second)));
+    });
+}
+
+}  // namespace
+
+LinkLoop::LinkLoop(Transport& transport, Assistant& assistant, const LoopSettings& settings, Tell tell)
+    : transport_(transport), assistant_(assistant), settings_(settings), tell_(std::move(tell))
+{
+}
+
+void LinkLoop::tell(LinkEvent event, const std::optional<Error>& error)
+{
+    if (!tell_) return;
+    LogEntry entry;
+    entry.event = event;
+    entry.time = timeNow();
+    entry.peer = transport_.peer();
+    entry.is_verified = transport_.isVerified();
+    entry.error = error;
+    if (event == LinkEvent::Exchanged) entry.exchange = last_;
+    tell_(entry);
+}
+
+void LinkLoop::run(const Progress& progress)
+{
+    while (!progress.stopped()) {
+        try {
+            open(progress);
+            tell(LinkEvent::Opened);
+            follow(progress);
+            break;
+        } catch (const Cancelled&) {
+            break;
+        } catch (const Error& error) {
+            const bool is_taken = error.code() == errors::linkTaken;
+            tell(is_taken ? LinkEvent::Taken : LinkEvent::Lost, error);
+            transport_.close();
+            if (is_taken || settings_.is_once) throw;
+        }
+        try {
+            wait(settings_.reconnect_ms, progress);
+        } catch (const Cancelled&) {
+            break;
+        }
+    }
+    if (!transport_.isOpen()) return;
+    transport_.close();
+    tell(LinkEvent::Closed);
+}
+
+void LinkLoop::open(const Progress& progress)
+{
+    transport_.open();
+    if (!transport_.isExclusive()) requireAlone(progress);
+    heartbeat_ = 0;
+    nextBeat_ms_ = now_ms();
+    notUnderstood_.reset();
+    const double answered = transport_.read({answeredName}).at(answeredName);
+    answered_ = isRequest(answered) ? static_cast<std::int64_t>(answered) : 0;
+}
+
+/// A heartbeat that goes on without this assistant is that of another one.
+void LinkLoop::requireAlone(const Progress& progress)
+{
+    const std::int64_t end = now_ms() + static_cast<std::int64_t>(watchedPeriods * settings_.heartbeat_ms);
+    const double first = transport_.read({heartbeatName}).at(heartbeatName);
+    while (now_ms() < end) {
+        wait(settings_.poll_ms, progress);
+        if (transport_.read({heartbeatName}).at(heartbeatName) != first)
+            throw Error(errors::linkTaken, {{"peer", transport_.peer()}});
+    }
+}
+
+void LinkLoop::follow(const Progress& progress)
+{
+    while (true) {
+        progress.check();
+        beat();
+        if (poll(progress) && settings_.is_once) return;
+        wait(settings_.poll_ms, progress);
+    }
+}
+
+void LinkLoop::beat()
+{
+    if (now_ms() < nextBeat_ms_) return;
+    nextBeat_ms_ = now_ms() + static_cast<std::int64_t>(settings_.heartbeat_ms);
+    if (heartbeat_ == 0) {
+        heartbeat_ = firstHeartbeat();
+    } else {
+        const double found = transport_.read({heartbeatName}).at(heartbeatName);
+        if (found == 0)  // registers that are cleared
+            throw Error(errors::linkLost,
+                        {{"peer", transport_.peer()}, {"reason", LT_TEXT("Engine", "the control has started anew")}});
+        if (found != static_cast<double>(heartbeat_)) throw Error(errors::linkTaken, {{"peer", transport_.peer()}});
+        heartbeat_ = heartbeat_ % mostCount + 1;
+    }
+    transport_.write(heartbeatName, static_cast<double>(heartbeat_));
+}
+
+/// Whether a request was answered.
+bool LinkLoop::poll(const Progress& progress)
+{
+    const double request = transport_.read({requestName}).at(requestName);
+    if (request == 0) {
+        notUnderstood_.reset();
+        if (answered_ != 0) finish(0, State::Idle);
+        return false;
+    }
+    if (!isRequest(request)) {
+        const bool is_told = notUnderstood_ && (*notUnderstood_ == request || std::isnan(request));
+        if (!is_told) transport_.write(stateName, static_cast<double>(State::NotUnderstood));
+        notUnderstood_ = request;
+        return false;
+    }
+    if (static_cast<std::int64_t>(request) == answered_) return false;
+    exchange(static_cast<std::int64_t>(request), progress);
+    return answered_ == static_cast<std::int64_t>(request);
+}
+
+ControlValues LinkLoop::readAll()
+{
+    std::vector<std::string> names;
+    for (const std::string& name : readNames())
+        if (transport_.offers(name)) names.push_back(name);
+    return transport_.read(names);
+}
+
+void LinkLoop::exchange(std::int64_t request, const Progress& progress)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    Exchange made;
+    made.time = timeNow();
+    made.request = request;
+    made.read = readAll();
+    if (made.read.at(requestName) != static_cast<double>(request)) return;  // the next look takes the other one
+    const std::optional<std::string> program =
+        assistant_.needsProgram(made.read) ? transport_.loadedProgram() : std::nullopt;
+    made.reply = assistant_.answer(made.read, program, progress);
+    const ControlValues again = readAll();
+    if (again.at(requestName) != static_cast<double>(request)) return;
+    if (!areEqual(again, made.read)) {
+        const auto running = again.find(runningName);
+        const bool runs = running != again.end() && running->second != 0;
+        made.reply.state = runs ? State::Running : State::Changed;
+        made.reply.n_cor_rpm.reset();
+    }
+    write(made);
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
+    made.duration_ms = taken.count();
+    last_ = std::move(made);
+    tell(LinkEvent::Exchanged);
+}
+
+void LinkLoop::write(Exchange& made)
+{
+    if (made.reply.n_cor_rpm) {
+        made.written_rpm = made.reply.n_cor_rpm;
+        transport_.write(correctedName, *made.written_rpm);
+        made.read_back_rpm = transport_.read({correctedName}).at(correctedName);
+        if (!(std::fabs(*made.read_back_rpm - *made.written_rpm) < heldResolution_rpm))
+            made.reply.state = State::NotWritten;
+    }
+    finish(made.request, made.reply.state);
+}
+
+/// State first: N_cor holds from `answered` on.
+void LinkLoop::finish(std::int64_t request, State state)
+{
+    transport_.write(stateName, static_cast<double>(state));
+    transport_.write(answeredName, static_cast<double>(request));
+    answered_ = request;
+}
+
+Replayed replay(const std::vector<LoggedExchange>& log, Assistant& assistant, const Progress& progress)
+{
+    Replayed found;
+    for (const LoggedExchange& logged : log) {
+        const Exchange& past = logged.exchange;
+        if (past.reply.state == State::Changed || past.reply.state == State::NotWritten ||
+            past.reply.state == State::Running)
+            continue;
+        ++found.exchanges;
+        const std::optional<std::string> program =
+            past.reply.program ? std::optional(past.reply.program->path) : std::nullopt;
+        const Reply today = assistant.answer(past.read, program, progress);
+        if (today.state == past.reply.state && today.n_cor_rpm == past.reply.n_cor_rpm) continue;
+        if (found.differing == 0) found.first_differing_line = logged.line;
+        ++found.differing;
+    }
+    return found;
+}
+
+}  // namespace lathelier::link

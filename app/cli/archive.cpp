@@ -101,22 +101,16 @@ struct Asked {
     }
 };
 
-[[noreturn]] void refuse(const char* parameter, const std::string& found, Text expected)
-{
-    throw Error(errors::valueNotUnderstood,
-                {{"parameter", std::string(parameter)}, {"found", found}, {"expected", expected}});
-}
-
 /// At most one word behind the archive.
 std::string oneWord(const Asked& asked, Text expected)
 {
-    if (asked.what.size() != 1) refuse("WHAT", asked.what.empty() ? "" : asked.what[1], expected);
+    if (asked.what.size() != 1) refuseOption("WHAT", asked.what.empty() ? "" : asked.what[1], expected);
     return asked.what.front();
 }
 
 void noWord(const Asked& asked)
 {
-    if (!asked.what.empty()) refuse("WHAT", asked.what.front(), LT_TEXT("Engine", "nothing behind the archive"));
+    if (!asked.what.empty()) refuseOption("WHAT", asked.what.front(), LT_TEXT("Engine", "nothing behind the archive"));
 }
 
 void runCreate(const Asked& asked)
@@ -161,12 +155,12 @@ Archive openOrMake(const Asked& asked)
 
 void runAdd(const Asked& asked)
 {
-    if (asked.what.empty()) refuse("WHAT", "", LT_TEXT("Engine", "the files of results to add"));
+    if (asked.what.empty()) refuseOption("WHAT", "", LT_TEXT("Engine", "the files of results to add"));
     const ArchiveParameters& parameters = asked.parameters;
     const archive::ResultLines lines = readAll(asked);
     const bool is_correction = !parameters.supersedes.empty();
     if (!is_correction && !parameters.reason.empty())
-        refuse("--reason", parameters.reason, LT_TEXT("Engine", "--supersedes beside it"));
+        refuseOption("--reason", parameters.reason, LT_TEXT("Engine", "--supersedes beside it"));
     if (is_correction && lines.evaluations.size() != 1)
         throw Error(errors::countOfEvaluations, {{"found", static_cast<std::int64_t>(lines.evaluations.size())}});
     const archive::Attestation attestation{parameters.person, parameters.instrument, parameters.calibrated_on};
@@ -248,7 +242,7 @@ void runExport(const Asked& asked)
 {
     noWord(asked);
     if (asked.output.empty() && asked.in_full)  // both might go to standard output
-        refuse(outputOption, "", LT_TEXT("Engine", "a file for the lines where --json is given"));
+        refuseOption(outputOption, "", LT_TEXT("Engine", "a file for the lines where --json is given"));
     const Archive opened = asked.open(Access::Read);
     std::int64_t lines = 0;
     const bool canonical = asked.parameters.canonical;
@@ -282,7 +276,7 @@ void runVerify(const Asked& asked)
 void runPush(const Asked& asked)
 {
     noWord(asked);
-    if (asked.parameters.to.empty()) refuse("--to", "", LT_TEXT("Engine", "the archive that the rows go to"));
+    if (asked.parameters.to.empty()) refuseOption("--to", "", LT_TEXT("Engine", "the archive that the rows go to"));
     const Archive from = asked.open(Access::Read);
     Archive to = Archive::open(asked.parameters.to, Access::Write, asked.progress);
     const archive::Pushed pushed = from.push(to, asked.progress);
@@ -327,8 +321,8 @@ void runArchive(const Request& request, io::InputFiles& inputs, const Progress& 
             action.run(asked);
             return;
         }
-    refuse("ACTION", request.operands.front(),
-           LT_TEXT("Engine", "create, add, list, show, characteristics, series, export, verify or push"));
+    refuseOption("ACTION", request.operands.front(),
+                 LT_TEXT("Engine", "create, add, list, show, characteristics, series, export, verify or push"));
 }
 
 }  // namespace

@@ -41,11 +41,6 @@ const std::vector<Field<QueueOptions>>& fieldsOf(const QueueOptions*)
     return all;
 }
 
-[[noreturn]] void refuse(const char* name, const std::string& found, Text expected)
-{
-    throw Error(errors::valueNotUnderstood, {{"parameter", name}, {"found", found}, {"expected", expected}});
-}
-
 /// Failures as an answer and as the exit code.
 void addFailed(std::int64_t failed, Answer& answer)
 {
@@ -55,7 +50,7 @@ void addFailed(std::int64_t failed, Answer& answer)
 void add(archive::Archive& archive, const batch::Tasks& tasks, const std::vector<std::string>& operands,
          const Progress& progress, Answer& answer)
 {
-    if (operands.size() < 4) refuse("FILES", "", LT_TEXT("Engine", "a recipe, and files, folders or lists"));
+    if (operands.size() < 4) refuseOption("FILES", "", LT_TEXT("Engine", "a recipe, and files, folders or lists"));
     const batch::LoadedRecipe loaded = batch::loadRecipe(operands[2], tasks, progress.quiet());
     batch::requireUnchanged(loaded.recipe, progress.quiet());
     const std::vector<batch::Part> parts =
@@ -116,7 +111,7 @@ void runQueueVerb(const batch::Tasks& tasks, const Request& request, const Progr
     answer.sources = std::make_shared<const task::Sources>();
     if (action == "work") return work(location, tasks, options, progress, answer);
     if (action != "add" && action != "show" && action != "retry")
-        refuse("ACTION", action, LT_TEXT("Engine", "add, work, show or retry"));
+        refuseOption("ACTION", action, LT_TEXT("Engine", "add, work, show or retry"));
     const bool reads = action == "show";
     archive::Archive archive =
         archive::Archive::open(location, reads ? archive::Access::Read : archive::Access::Write, progress.quiet());

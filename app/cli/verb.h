@@ -109,6 +109,9 @@ std::vector<Option> optionsOf()
     return result;
 }
 
+/// Error valueNotUnderstood of an option or operand.
+[[noreturn]] void refuseOption(const char* name, const std::string& found, Text expected);
+
 /// All verbs, in the order of the help page.
 const std::vector<Verb>& verbs();
 

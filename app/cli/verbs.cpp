@@ -10,6 +10,7 @@
 #include "engine/cam/task/check_task.h"
 #include "engine/cam/task/turn_task.h"
 #include "engine/chain/remanufacture_task.h"
+#include "engine/core/core_codes.h"
 #include "engine/deflection/deflection_task.h"
 #include "engine/deflection/toolpath_task.h"
 #include "engine/form/task/cylindricity_task.h"
@@ -59,6 +60,7 @@ const std::vector<Verb>& verbs()
                                 verbOf(surface::surfaceTask()),
                                 verbOf(series::seriesTask()),
                                 archiveVerb(),
+                                assistVerb(),
                                 verbOf(verify::verifyTask())};
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(),  &io::timeRecordFiles(),      &io::frfFiles(),
@@ -75,6 +77,11 @@ const std::vector<Verb>& verbs()
         return table;
     }();
     return all;
+}
+
+void refuseOption(const char* name, const std::string& found, Text expected)
+{
+    throw Error(errors::valueNotUnderstood, {{"parameter", name}, {"found", found}, {"expected", expected}});
 }
 
 std::vector<Option> readingOptions(const Verb& verb)

@@ -10,5 +10,6 @@ Verb inspectVerb(const io::FileKinds& kinds);                 ///< accepts all k
 Verb batchVerb(const std::vector<const task::Task*>& tasks);  ///< of which a recipe may be
 Verb queueVerb(const std::vector<const task::Task*>& tasks);  ///< likewise
 Verb archiveVerb();
+Verb assistVerb();
 
 }  // namespace lathelier::cli

@@ -19,6 +19,9 @@ inline constexpr ErrorCode linkProtocol{
     "link_protocol", ErrorKind::NoAnswer,
     LT_TEXT("Engine", "The control at {peer} answers {found}, expected {expected}.")};
 
+inline constexpr ErrorCode linkPortNotFree{"link_port_not_free", ErrorKind::NoAnswer,
+                                           LT_TEXT("Engine", "The port {port} cannot be listened to: {reason}.")};
+
 inline constexpr ErrorCode linkValueNotHeld{
     "link_value_not_held", ErrorKind::NoAnswer,
     LT_TEXT("Engine", "The register of {name} at {peer} cannot hold {found}: from {minimum} to {maximum}.")};

@@ -1,0 +1,76 @@
+#include "engine/link/link_config.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/core/core_codes.h"
+#include "engine/link/link_codes.h"
+#include "engine/link/transports.h"
+#include "tests/engine/link/paper_case.h"
+
+namespace lathelier::link {
+namespace {
+
+Error refusalOf(const std::string& text)
+{
+    try {
+        readConfig(text, ".");
+    } catch (const Error& error) {
+        return error;
+    }
+    ADD_FAILURE() << "read: " << text;
+    return Error(errors::internal, {});
+}
+
+std::string withPart(const std::string& part)
+{
+    return configText(part);
+}
+
+TEST(LinkConfig, written_and_read_is_the_same)
+{
+    LinkConfig config = readConfig(withPart(R"("program": {"clearance_mm": 12}, "linuxcnc": {"component": "lath"},
+        "inputs": {"spindle": {"path": "machines/spindle.json"}})"),
+                                   "/shop");
+    EXPECT_EQ(config.question.inputs.at("spindle").path, "/shop/machines/spindle.json");
+    EXPECT_EQ(config.linuxcnc->component, "lath");
+    const std::string text = textOf(config, "/shop");
+    EXPECT_NE(text.find("\"machines/spindle.json\""), std::string::npos);
+    EXPECT_EQ(textOf(readConfig(text, "/shop"), "/shop"), text);
+}
+
+TEST(LinkConfig, refuses_a_member_that_it_does_not_know_by_its_place)
+{
+    const Error error = refusalOf("{\"schema\": \"lathelier-assist\", \"schema_version\": 1,\n \"limit\": {}}");
+    EXPECT_EQ(error.code(), errors::linkMemberUnknown);
+    EXPECT_EQ(std::get<std::int64_t>(*find(error.values(), "line")), 2);
+    EXPECT_EQ(refusalOf(withPart(R"("loopback": {"hots": "a"})")).code(), errors::linkMemberUnknown);
+    EXPECT_EQ(refusalOf(withPart(R"("inputs": {"copy": {"path": "a"}})")).code(), errors::linkMemberUnknown);
+}
+
+TEST(LinkConfig, needs_the_highest_speed_of_the_machine)
+{
+    const Error error =
+        refusalOf(R"({"schema": "lathelier-assist", "schema_version": 1, "limits": {"lowest_diameter_mm": 3}})");
+    EXPECT_EQ(std::string(error.code().key), "key_missing");
+}
+
+TEST(LinkConfig, needs_every_register_that_the_rules_of_the_link_use)
+{
+    const Error error = refusalOf(withPart(R"("focas": {"host": "a", "registers": {"request": {"address": 1}}})"));
+    EXPECT_EQ(std::string(error.code().key), "key_missing");
+    EXPECT_EQ(std::string(
+                  refusalOf(withPart(R"("focas": {"host": "a", "registers": {"request": {"address": 1, "bytes": 3}}})"))
+                      .code()
+                      .key),
+              "malformed");
+}
+
+TEST(LinkConfig, a_link_that_is_not_configured_is_refused)
+{
+    const LinkConfig config = readConfig(configText(""), ".");
+    EXPECT_THROW(transportOf("loopback", config), Error);
+    EXPECT_THROW(transportOf("telegraph", config), Error);
+}
+
+}  // namespace
+}  // namespace lathelier::link

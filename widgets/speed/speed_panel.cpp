@@ -56,6 +56,10 @@ SpeedPanel::SpeedPanel(Session& owner, QWidget* parent)
     setViews(views_, views_->primaryViews());
     connect(views_, &SpeedViews::valueEntered, this, [this](const QString& key, double value) { take(key, value); });
     connect(views_, &SpeedViews::valueCleared, this, [this](const QString& key) { take(key, {}); });
+    connect(views_->linkBar(), &LinkBar::asked, this, &SpeedPanel::takeRequest);
+    connect(views_->linkBar(), &LinkBar::refused, this, [this](const Error& error) {
+        emit messageRaised({error, facts().title});
+    });
     connect(views_, &SpeedViews::notWritten, this, &SpeedPanel::reportWriteFailure);
 }
 
@@ -63,6 +67,21 @@ void SpeedPanel::take(const QString& key, const Value& value)
 {
     editState(tr("Type a value"),
               [&](project::PanelState& state) { stability::enterValue(state.parameters, key.toStdString(), value); });
+}
+
+/// What the control asked stands on the screen; requests that follow each other are one step to undo.
+void SpeedPanel::takeRequest(const link::ControlValues& values)
+{
+    editState(
+        tr("Request of the control"),
+        [&](project::PanelState& state) {
+            for (const FieldInfo& info : stability::screenFields()) {
+                const auto found = values.find(info.key);
+                if (found != values.end() && found->second != 0)
+                    stability::enterValue(state.parameters, info.key, found->second);
+            }
+        },
+        "request");
 }
 
 std::optional<Error> SpeedPanel::problem(const SpeedOutcome& outcome) const

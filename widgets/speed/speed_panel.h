@@ -1,6 +1,7 @@
 // The panel "Speed", for the operator beside the lathe: which spindle speed in place of the selected one?
 #pragma once
 
+#include "engine/link/control_values.h"
 #include "engine/stability/task/speed_task.h"
 #include "widgets/core/panel/task_panel.h"
 
@@ -27,6 +28,7 @@ protected:
 
 private:
     void take(const QString& key, const Value& value);
+    void takeRequest(const link::ControlValues& values);
 
     SpeedViews* views_;
 };

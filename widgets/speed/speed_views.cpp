@@ -15,6 +15,7 @@ SpeedViews::SpeedViews(QWidget* parent)
     : QWidget(parent),
       primaryViews_(new PrimaryViews),
       keys_(new OperatorKeys(stability::screenFields(), {"D", "L", "v_c", "v_c min", "v_c max"})),
+      linkBar_(new LinkBar),
       lobes_(new plot::ChartView),
       parts_(new plot::ChartView),
       candidates_(new CopyTable)
@@ -23,7 +24,12 @@ SpeedViews::SpeedViews(QWidget* parent)
     lobes_->setObjectName("speedLobes");
     parts_->setObjectName("speedRealImaginary");
     candidates_->setObjectName("speedCandidates");
-    primaryViews_->add("keys", keys_);
+    auto* screen = new QWidget;
+    auto* rows = new QVBoxLayout(screen);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->addWidget(keys_, 1);
+    rows->addWidget(linkBar_);
+    primaryViews_->add("keys", screen);
     primaryViews_->add("lobes", lobes_);
     primaryViews_->add("parts", parts_);
     primaryViews_->add("candidates", candidates_);
@@ -40,6 +46,7 @@ SpeedViews::SpeedViews(QWidget* parent)
 void SpeedViews::setOutcome(const std::shared_ptr<const stability::SpeedOutcome>& outcome)
 {
     outcome_ = outcome;
+    linkBar_->setQuestion(outcome->asked);
     for (const char* key : {"lobes", "parts"}) primaryViews_->setAvailable(key, outcome->near != nullptr);
     primaryViews_->setAvailable("candidates", outcome->safe || outcome->published);
     show();
@@ -74,6 +81,7 @@ void SpeedViews::retranslate()
     primaryViews_->setTitle("parts", tr("Real and imaginary"));
     primaryViews_->setTitle("candidates", tr("Stable speeds"));
     candidates_->setAccessibleName(tr("Stable speeds"));
+    linkBar_->retranslate();
     show();
 }
 

@@ -8,6 +8,7 @@
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
+#include "widgets/speed/link_bar.h"
 #include "widgets/speed/operator_keys.h"
 
 namespace lathelier::speed_panel {
@@ -21,6 +22,7 @@ public:
     void setOutcome(const std::shared_ptr<const stability::SpeedOutcome>& outcome);
     PrimaryViews* primaryViews() const { return primaryViews_; }
     OperatorKeys* keys() const { return keys_; }
+    LinkBar* linkBar() const { return linkBar_; }
     void retranslate();
 
 signals:
@@ -34,6 +36,7 @@ private:
     std::shared_ptr<const stability::SpeedOutcome> outcome_;
     PrimaryViews* primaryViews_;
     OperatorKeys* keys_;
+    LinkBar* linkBar_;
     plot::ChartView* lobes_;
     plot::ChartView* parts_;
     CopyTable* candidates_;

@@ -187,6 +187,71 @@ private slots:
         QCOMPARE(*panel_->result()->question.speed.cutting_speed_m_min, 189.5);
         QLocale::setDefault(QLocale::c());
     }
+
+    void withoutASpindleNothingCanBeLinked()
+    {
+        QVERIFY(!panel_->findChild<QPushButton*>("linkSwitch")->isEnabled());
+        QVERIFY(panel_->views().linkBar()->controlLink().status() == ControlLink::Status::Off);
+    }
+
+    void aSimulatedControlAsksAndTheScreenFollows()
+    {
+        typeTheRod();
+        LinkBar* const bar = panel_->views().linkBar();
+        QTest::mouseClick(panel_->findChild<QPushButton*>("linkSimulator"), Qt::LeftButton);
+        ControlWindow* const control = bar->controlWindow();
+        QVERIFY(control != nullptr);
+        auto* const linkSwitch = panel_->findChild<QPushButton*>("linkSwitch");
+        QVERIFY(!linkSwitch->isChecked());
+        linkSwitch->click();
+        QTRY_VERIFY(bar->controlLink().status() == ControlLink::Status::Linked);
+        control->findChild<QDoubleSpinBox*>("diameter_mm")->setValue(40);
+        control->findChild<QDoubleSpinBox*>("length_mm")->setValue(250);
+        control->findChild<QDoubleSpinBox*>("cutting_speed_m_min")->setValue(250);
+        const int steps = session_->undoStack().count();
+        control->findChild<QPushButton*>("controlAsk")->click();
+        QTRY_VERIFY(control->control().corrected_rpm().has_value());
+        QTRY_COMPARE(panel_->result()->question.speed.cutting_speed_m_min.value_or(0), 250.0);
+        settle();
+        // What the control was told is what the screen says.
+        QCOMPARE(*control->control().corrected_rpm(), std::round(*panel_->result()->recommendedRpm()));
+        QTRY_VERIFY(control->findChild<QLabel*>("controlCorrected")
+                        ->text()
+                        .contains(QString::number(*control->control().corrected_rpm())));
+        QCOMPARE(session_->undoStack().count(), steps + 1);
+        QVERIFY(panel_->findChild<QLabel*>("linkLine")->text().contains("written"));
+    }
+
+    void aMachineThatRunsIsToldSoOnBothSides()
+    {
+        typeTheRod();
+        LinkBar* const bar = panel_->views().linkBar();
+        panel_->findChild<QPushButton*>("linkSimulator")->click();
+        panel_->findChild<QPushButton*>("linkSwitch")->click();
+        ControlWindow* const control = bar->controlWindow();
+        control->findChild<QCheckBox*>("controlRunning")->setChecked(true);
+        control->findChild<QPushButton*>("controlAsk")->click();
+        QTRY_VERIFY(panel_->findChild<QLabel*>("linkLine")->text().contains("the machine runs"));
+        QTRY_VERIFY(control->findChild<QLabel*>("controlState")->text().contains("12"));
+        QCOMPARE(control->findChild<QLabel*>("controlCorrected")->text(), QString("–"));
+        QCOMPARE(*panel_->result()->question.speed.cutting_speed_m_min, 200.0);  // nothing was taken over
+    }
+
+    void aControlThatIsClosedIsLostAndTheSwitchEndsTheLink()
+    {
+        typeTheRod();
+        LinkBar* const bar = panel_->views().linkBar();
+        panel_->findChild<QPushButton*>("linkSimulator")->click();
+        auto* const linkSwitch = panel_->findChild<QPushButton*>("linkSwitch");
+        linkSwitch->click();
+        QTRY_VERIFY(bar->controlLink().status() == ControlLink::Status::Linked);
+        bar->controlWindow()->close();
+        QTRY_VERIFY(bar->controlLink().status() == ControlLink::Status::Lost);
+        QVERIFY(linkSwitch->isChecked());
+        linkSwitch->click();
+        QVERIFY(bar->controlLink().status() == ControlLink::Status::Off);
+        QVERIFY(panel_->findChild<QLabel*>("linkLine")->text().contains("nothing is written"));
+    }
 };
 
 }  // namespace lathelier::speed_panel

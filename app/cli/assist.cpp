@@ -163,14 +163,14 @@ void simulate(int port, const Request& request, const Progress& progress, Answer
         answer.summary = fill("N_cor {value:0} 1/min\n", {{"value", *control.corrected_rpm()}});
 }
 
-void replayLog(const AssistOptions& options, link::Assistant& assistant, const Progress& progress, Answer& answer)
+void replayLog(const link::Log& log, link::Assistant& assistant, const Progress& progress, Answer& answer)
 {
-    const link::Replayed found = link::replay(link::readLog(options.replay, progress), assistant, progress);
+    const link::Replayed found = link::replay(log.exchanges, assistant, progress);
     answer.summary = fill("{exchanges} exchanges, {differing} answered otherwise today.\n",
                           {{"exchanges", found.exchanges}, {"differing", found.differing}});
     answer.json = [found] { return Json{{"exchanges", found.exchanges}, {"differing", found.differing}}; };
     if (found.differing > 0)
-        answer.errors.emplace_back(errors::linkLogDiffers, Values{{"path", options.replay},
+        answer.errors.emplace_back(errors::linkLogDiffers, Values{{"path", log.file.path},
                                                                   {"line", found.first_differing_line},
                                                                   {"count", found.differing},
                                                                   {"exchanges", found.exchanges}});
@@ -208,9 +208,15 @@ void runAssist(const Request& request, io::InputFiles&, const Progress& progress
     if (options.link.empty() == options.replay.empty())
         refuseOption("link", options.link, LT_TEXT("Engine", "a kind of link, or --replay"));
     const link::LinkConfig config = link::loadConfig(options.config, progress.quiet());
+    std::optional<link::Log> log;
+    if (!options.replay.empty()) log = link::readLog(options.replay, progress.quiet());
+    task::Sources sources;
+    sources.inputs.push_back(config.file);
+    if (log) sources.inputs.push_back(log->file);
+    answer.sources = std::make_shared<const task::Sources>(std::move(sources));
     link::Assistant assistant(config.question, config.limits, config.program);
     assistant.prepare(progress.quiet());
-    if (!options.replay.empty()) return replayLog(options, assistant, progress.quiet(), answer);
+    if (log) return replayLog(*log, assistant, progress.quiet(), answer);
     assist(options, config, assistant, request, progress.quiet(), answer);
 }
 

@@ -21,6 +21,8 @@ execute_process(COMMAND date --utc --rfc-email --date ${released} OUTPUT_VARIABL
 set(maintainer "Lathelier developers <lathelier@users.noreply.github.com>")
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/packed/changelog @ONLY CONTENT
      "lathelier (@PROJECT_VERSION@) bookworm; urgency=medium\n\n  * See CHANGELOG.md beside this file.\n\n -- @maintainer@  @released@\n")
+# The assistant beside a control as a service: not enabled by the package.
+install(FILES ${resources}/systemd/lathelier-assist@.service DESTINATION lib/systemd/system COMPONENT cli)
 foreach(component ${components})
     set(program ${program_${component}})
     install(TARGETS ${program} COMPONENT ${component})

@@ -131,6 +131,10 @@ Reply Assistant::computed(const ControlValues& values, const Progress& progress)
         task::Sources sources;
         const stability::SpeedOutcome outcome = stability::answerSpeed(state, stores_, sources, progress);
         reply.assumed = outcome.understanding.assumed;
+        // The response is that of the shaft, or measured: the overhang that the control states has no effect.
+        const std::vector<std::string> given = task::givenOf(stability::speedTask(), state);
+        if (isStated(values, lengthName) && !given.empty() && given.front() != stability::barLengthKey)
+            reply.assumed.push_back({lengthName, given.front(), {}, 0});
         if (outcome.published) reply.selected_rpm = outcome.published->selected_rpm;
         if (outcome.problem && !outcome.safe) throw Error(*outcome.problem);
         const std::optional<double> speed_rpm = outcome.recommendedRpm();

@@ -101,35 +101,38 @@ Json toJson(const LogEntry& entry)
     return json;
 }
 
-std::vector<LoggedExchange> readLog(const std::string& path, const Progress& progress)
+std::vector<LoggedExchange> exchangesOf(std::string_view log, const Progress& progress)
 {
     std::vector<LoggedExchange> all;
     std::int64_t number = 0;
-    try {
-        const io::FileBytes file(path, progress);
-        std::string_view left = file.view();
-        while (!left.empty()) {
-            progress.check();
-            const std::size_t end = left.find('\n');
-            if (end == std::string_view::npos) break;  // torn
-            ++number;
-            const io::JsonDocument document{std::string(left.substr(0, end))};
-            left.remove_prefix(end + 1);
+    for (std::size_t end = log.find('\n'); end != std::string_view::npos; end = log.find('\n')) {
+        progress.check();
+        ++number;
+        try {
+            const io::JsonDocument document{std::string(log.substr(0, end))};
             const io::JsonCursor line = document.root();
             const std::string event = line.at("event", LT_TEXT("Engine", "an event of the link")).string();
             if (event == eventNames[static_cast<int>(LinkEvent::Exchanged)])
                 all.push_back({number, exchangeFrom(line)});
+        } catch (const Error& error) {
+            Error placed(error.code(), {{"line", number}});  // of the log, not of its one line
+            for (const auto& [name, value] : error.values()) placed.with(name, value);
+            throw Error(placed);
         }
-    } catch (Error& error) {
-        if (find(error.values(), "line")) {
-            Error placed(error.code(), {{"line", number}});
-            for (const auto& [name, value] : error.values())
-                if (name != "line") placed.with(name, value);
-            throw placed.with("path", path);
-        }
-        throw error.with("path", path);
+        log.remove_prefix(end + 1);
     }
     return all;
+}
+
+Log readLog(const std::string& path, const Progress& progress)
+{
+    try {
+        const io::FileBytes file(path, progress);
+        const auto bytes = static_cast<std::int64_t>(file.view().size());
+        return {exchangesOf(file.view(), progress), {path, bytes, io::sha256(file.view(), progress)}};
+    } catch (Error& error) {
+        throw error.with("path", path);
+    }
 }
 
 std::string timeNow()

@@ -10,8 +10,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/input_file.h"
 #include "engine/core/json.h"
 #include "engine/link/assistant.h"
 
@@ -51,7 +54,14 @@ struct LoggedExchange {
     std::int64_t line = 0;  ///< from 1
     Exchange exchange;      ///< without `assumed` and `error`
 };
-std::vector<LoggedExchange> readLog(const std::string& path, const Progress& progress);
+struct Log {
+    std::vector<LoggedExchange> exchanges;
+    InputFile file;
+};
+Log readLog(const std::string& path, const Progress& progress);
+
+/// The same of the text of a log, without the path.
+std::vector<LoggedExchange> exchangesOf(std::string_view log, const Progress& progress);
 
 /// UTC now, "2026-11-29T05:40:12.345Z".
 std::string timeNow();

@@ -2,7 +2,6 @@
 
 #include <QFileDialog>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QSignalBlocker>
 
 #include "engine/core/units.h"
@@ -47,13 +46,14 @@ LinkBar::LinkBar(QWidget* parent)
     line_->setWordWrap(true);
     line_->setMinimumWidth(1);
     for (const link::TransportKind& kind : link::transportKinds()) kinds_->addItem(screenText(kind.title), kind.key);
-    auto* layout = new QHBoxLayout(this);
+    auto* layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(switch_);
-    layout->addWidget(kinds_);
-    layout->addWidget(configuration_);
-    layout->addWidget(simulator_);
-    layout->addWidget(line_, 1);
+    layout->addWidget(line_, 0, 0, 1, 5);
+    layout->addWidget(switch_, 1, 0);
+    layout->addWidget(kinds_, 1, 1);
+    layout->addWidget(configuration_, 1, 2);
+    layout->addWidget(simulator_, 1, 3);
+    layout->setColumnStretch(4, 1);
     connect(switch_, &QPushButton::toggled, this, &LinkBar::switchTo);
     connect(configuration_, &QPushButton::clicked, this, &LinkBar::askForConfiguration);
     connect(simulator_, &QPushButton::clicked, this, &LinkBar::openControl);
@@ -166,7 +166,7 @@ void LinkBar::retranslate()
         tr("Answer the requests of a control: read its values, write the stable speed. Starts nothing."));
     configuration_->setText(tr("Configuration …"));
     configuration_->setToolTip(tr("ASSIST.json: limits of the machine, address and registers of the control"));
-    simulator_->setText(tr("Simulated control"));
+    simulator_->setText(tr("Simulator …"));
     simulator_->setToolTip(tr("Open a control in a window of its own, to see both sides of the link"));
     kinds_->setAccessibleName(tr("Kind of the control"));
     for (int i = 0; i < kinds_->count(); ++i)

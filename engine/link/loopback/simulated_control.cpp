@@ -35,6 +35,7 @@ struct SimulatedControl::Server {
         void listen();
         void answer(const std::string& line);
         void end();
+        bool isClosed();
 
         tcp::socket socket;
         Server& server;
@@ -72,6 +73,8 @@ struct SimulatedControl::Server {
             const auto session = std::make_shared<Session>(std::move(socket), *this);
             error_code ignored;
             session->socket.set_option(tcp::no_delay(true), ignored);
+            // The end of an earlier link may still wait to be read.
+            if (const auto earlier = linked.lock(); earlier && earlier->isClosed()) earlier->end();
             {
                 const std::lock_guard lock(mutex);
                 session->is_refused = !linked.expired();
@@ -110,6 +113,15 @@ void SimulatedControl::Server::Session::listen()
         std::getline(stream, line);
         self->answer(line);
     });
+}
+
+bool SimulatedControl::Server::Session::isClosed()
+{
+    error_code why;
+    char sign = 0;
+    socket.non_blocking(true, why);
+    socket.receive(asio::buffer(&sign, 1), tcp::socket::message_peek, why);
+    return why && why != asio::error::would_block;
 }
 
 void SimulatedControl::Server::Session::end()

@@ -214,7 +214,7 @@ TEST(LinkLog, is_answered_again_as_it_was)
         }
         log << R"({"time": "2026)";  // torn by a power cut
     }
-    const std::vector<LoggedExchange> read = readLog(path, {});
+    const std::vector<LoggedExchange> read = readLog(path, {}).exchanges;
     ASSERT_EQ(read.size(), 3U);
     EXPECT_EQ(read[0].exchange.reply.n_cor_rpm, paperCorrected_rpm);
     const Replayed same = replay(read, linked.assistant, {});

@@ -17263,6 +17263,334 @@
         <source>kg</source>
         <translation>kg</translation>
     </message>
+    <message>
+        <source>no request stands</source>
+        <translation>nie ma pytania</translation>
+    </message>
+    <message>
+        <source>answered</source>
+        <translation>odpowiedziano</translation>
+    </message>
+    <message>
+        <source>no stable speed in the range</source>
+        <translation>w zakresie nie ma stabilnej prędkości</translation>
+    </message>
+    <message>
+        <source>a value is outside of what is allowed</source>
+        <translation>wartość jest poza tym, co dozwolone</translation>
+    </message>
+    <message>
+        <source>a value is missing or is no number</source>
+        <translation>wartości brakuje albo nie jest liczbą</translation>
+    </message>
+    <message>
+        <source>the machine runs</source>
+        <translation>maszyna pracuje</translation>
+    </message>
+    <message>
+        <source>the values changed while they were answered</source>
+        <translation>wartości zmieniły się w czasie odpowiedzi</translation>
+    </message>
+    <message>
+        <source>the stable speed is above the machine&apos;s highest speed</source>
+        <translation>stabilna prędkość jest powyżej najwyższej prędkości maszyny</translation>
+    </message>
+    <message>
+        <source>the response cannot be computed with these values</source>
+        <translation>odpowiedzi układu nie można obliczyć z tymi wartościami</translation>
+    </message>
+    <message>
+        <source>the control did not keep the speed that was written</source>
+        <translation>sterowanie nie zachowało zapisanej prędkości</translation>
+    </message>
+    <message>
+        <source>the loaded program does not give diameter and length</source>
+        <translation>wczytany program nie daje średnicy i długości</translation>
+    </message>
+    <message>
+        <source>something that could change the speed was not understood</source>
+        <translation>nie zrozumiano czegoś, co mogłoby zmienić prędkość</translation>
+    </message>
+    <message>
+        <source>a time</source>
+        <translation>czas</translation>
+    </message>
+    <message>
+        <source>the number of a request</source>
+        <translation>numer pytania</translation>
+    </message>
+    <message>
+        <source>the values that were read</source>
+        <translation>odczytane wartości</translation>
+    </message>
+    <message>
+        <source>the number of a state</source>
+        <translation>numer stanu</translation>
+    </message>
+    <message>
+        <source>an event of the link</source>
+        <translation>zdarzenie połączenia</translation>
+    </message>
+    <message>
+        <source>No control answers at {peer}: {reason}.</source>
+        <translation>Pod {peer} nie odpowiada żadne sterowanie: {reason}.</translation>
+    </message>
+    <message>
+        <source>Another assistant is linked to the control at {peer}; two on one control are refused.</source>
+        <translation>Ze sterowaniem {peer} jest połączony inny asystent; dwóch na jednym sterowaniu się odrzuca.</translation>
+    </message>
+    <message>
+        <source>The link to the control at {peer} is lost: {reason}.</source>
+        <translation>Utracono połączenie ze sterowaniem {peer}: {reason}.</translation>
+    </message>
+    <message>
+        <source>The control at {peer} answers {found}, expected {expected}.</source>
+        <translation>Sterowanie {peer} odpowiada {found}, oczekiwano: {expected}.</translation>
+    </message>
+    <message>
+        <source>The port {port} cannot be listened to: {reason}.</source>
+        <translation>Nie można nasłuchiwać na porcie {port}: {reason}.</translation>
+    </message>
+    <message>
+        <source>The register of {name} at {peer} cannot hold {found}: from {minimum} to {maximum}.</source>
+        <translation>Rejestr wartości {name} w {peer} nie pomieści {found}: od {minimum} do {maximum}.</translation>
+    </message>
+    <message>
+        <source>The configuration does not know {key}; expected {expected}.</source>
+        <translation>Konfiguracja nie zna {key}; oczekiwano: {expected}.</translation>
+    </message>
+    <message>
+        <source>The configuration says nothing about the link {kind}.</source>
+        <translation>Konfiguracja nic nie mówi o połączeniu {kind}.</translation>
+    </message>
+    <message>
+        <source>Line {line} of the program states {word}, which was not understood and could move the tool.</source>
+        <translation>Wiersz {line} programu zawiera {word}, którego nie zrozumiano, a które mogłoby przesunąć narzędzie.</translation>
+    </message>
+    <message>
+        <source>The program turns nothing: no feed move was found.</source>
+        <translation>Program niczego nie toczy: nie znaleziono ruchu roboczego.</translation>
+    </message>
+    <message>
+        <source>The request was refused: {state}.</source>
+        <translation>Pytanie odrzucono: {state}.</translation>
+    </message>
+    <message>
+        <source>Exchanges of the log that are answered otherwise today: {count} of {exchanges}, the first in line {line}.</source>
+        <translation>Wymiany z dziennika, na które dziś odpowiedź jest inna: {count} z {exchanges}, pierwsza w wierszu {line}.</translation>
+    </message>
+    <message>
+        <source>This kind of link was not verified on a real control: {kind}.</source>
+        <translation>Tego rodzaju połączenia nie sprawdzono na prawdziwym sterowaniu: {kind}.</translation>
+    </message>
+    <message>
+        <source>a value of this part</source>
+        <translation>wartość z tej części</translation>
+    </message>
+    <message>
+        <source>not 0</source>
+        <translation>różne od 0</translation>
+    </message>
+    <message>
+        <source>a register</source>
+        <translation>rejestr</translation>
+    </message>
+    <message>
+        <source>the registers by name</source>
+        <translation>rejestry według nazw</translation>
+    </message>
+    <message>
+        <source>Highest speed of the machine</source>
+        <translation>Najwyższa prędkość maszyny</translation>
+    </message>
+    <message>
+        <source>A stable speed above is refused.</source>
+        <translation>Stabilna prędkość powyżej jest odrzucana.</translation>
+    </message>
+    <message>
+        <source>Least diameter</source>
+        <translation>Najmniejsza średnica</translation>
+    </message>
+    <message>
+        <source>Below it a request is refused.</source>
+        <translation>Poniżej pytanie jest odrzucane.</translation>
+    </message>
+    <message>
+        <source>Greatest diameter</source>
+        <translation>Największa średnica</translation>
+    </message>
+    <message>
+        <source>Above it a request is refused.</source>
+        <translation>Powyżej pytanie jest odrzucane.</translation>
+    </message>
+    <message>
+        <source>Least overhang</source>
+        <translation>Najmniejszy wysięg</translation>
+    </message>
+    <message>
+        <source>Greatest overhang</source>
+        <translation>Największy wysięg</translation>
+    </message>
+    <message>
+        <source>From the turned length to the chuck; the overhang is both.</source>
+        <translation>Od długości toczonej do uchwytu; wysięg to jedno i drugie.</translation>
+    </message>
+    <message>
+        <source>Polling period</source>
+        <translation>Okres odpytywania</translation>
+    </message>
+    <message>
+        <source>Between two looks at the request.</source>
+        <translation>Między dwoma spojrzeniami na pytanie.</translation>
+    </message>
+    <message>
+        <source>Heartbeat</source>
+        <translation>Sygnał życia</translation>
+    </message>
+    <message>
+        <source>Its period.</source>
+        <translation>Jego okres.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Przerwa</translation>
+    </message>
+    <message>
+        <source>Before a lost link is opened again.</source>
+        <translation>Zanim utracone połączenie zostanie otwarte ponownie.</translation>
+    </message>
+    <message>
+        <source>Time-out</source>
+        <translation>Limit czasu</translation>
+    </message>
+    <message>
+        <source>Of one answer of the control.</source>
+        <translation>Jednej odpowiedzi sterowania.</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Host</translation>
+    </message>
+    <message>
+        <source>Of the simulated control.</source>
+        <translation>Sterowania symulowanego.</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Component</source>
+        <translation>Komponent</translation>
+    </message>
+    <message>
+        <source>Its name in HAL, before that of each pin.</source>
+        <translation>Jego nazwa w HAL, przed nazwą każdej końcówki.</translation>
+    </message>
+    <message>
+        <source>Port of linuxcncrsh</source>
+        <translation>Port linuxcncrsh</translation>
+    </message>
+    <message>
+        <source>That names the loaded program; 0: it is not asked.</source>
+        <translation>Który podaje wczytany program; 0: nie jest pytany.</translation>
+    </message>
+    <message>
+        <source>Password of linuxcncrsh</source>
+        <translation>Hasło linuxcncrsh</translation>
+    </message>
+    <message>
+        <source>For this port.</source>
+        <translation>Do tego portu.</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adres</translation>
+    </message>
+    <message>
+        <source>Of its first byte in the R area.</source>
+        <translation>Pierwszego bajtu w obszarze R.</translation>
+    </message>
+    <message>
+        <source>1, 2 or 4.</source>
+        <translation>1, 2 albo 4.</translation>
+    </message>
+    <message>
+        <source>The value is the number times it.</source>
+        <translation>Wartość jest liczbą razy skala.</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Biblioteka</translation>
+    </message>
+    <message>
+        <source>FOCAS2 of the vendor, as it is installed.</source>
+        <translation>FOCAS2 producenta, tak jak jest zainstalowana.</translation>
+    </message>
+    <message>
+        <source>Of the control.</source>
+        <translation>Sterowania.</translation>
+    </message>
+    <message>
+        <source>a parameter of speed</source>
+        <translation>parametr polecenia speed</translation>
+    </message>
+    <message>
+        <source>the limits of the machine</source>
+        <translation>granice maszyny</translation>
+    </message>
+    <message>
+        <source>the control has started anew</source>
+        <translation>sterowanie uruchomiono ponownie</translation>
+    </message>
+    <message>
+        <source>a JSON object with the id of the question</source>
+        <translation>obiekt JSON z numerem pytania</translation>
+    </message>
+    <message>
+        <source>an answer without an error</source>
+        <translation>odpowiedź bez błędu</translation>
+    </message>
+    <message>
+        <source>numbers by name</source>
+        <translation>liczby według nazw</translation>
+    </message>
+    <message>
+        <source>the number of the message</source>
+        <translation>numer wiadomości</translation>
+    </message>
+    <message>
+        <source>names of values</source>
+        <translation>nazwy wartości</translation>
+    </message>
+    <message>
+        <source>the name of a value</source>
+        <translation>nazwa wartości</translation>
+    </message>
+    <message>
+        <source>values by name</source>
+        <translation>wartości według nazw</translation>
+    </message>
+    <message>
+        <source>Simulated control</source>
+        <translation>Sterowanie symulowane</translation>
+    </message>
+    <message>
+        <source>the name of a value that a control states</source>
+        <translation>nazwa wartości, którą podaje sterowanie</translation>
+    </message>
+    <message>
+        <source>shorter lines</source>
+        <translation>krótsze wiersze</translation>
+    </message>
+    <message>
+        <source>the path of ASSIST.json</source>
+        <translation>ścieżka ASSIST.json</translation>
+    </message>
+    <message>
+        <source>a kind of link, or --replay</source>
+        <translation>rodzaj połączenia albo --replay</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>
@@ -20352,6 +20680,112 @@ Wszystkie inne widoki działają.</translation>
     </message>
 </context>
 <context>
+    <name>lathelier::speed_panel::ControlWindow</name>
+    <message>
+        <source>Nothing was asked yet.</source>
+        <translation>Jeszcze o nic nie zapytano.</translation>
+    </message>
+    <message>
+        <source>Asked …</source>
+        <translation>Zapytano …</translation>
+    </message>
+    <message>
+        <source>Asked; no assistant is linked.</source>
+        <translation>Zapytano; żaden asystent nie jest połączony.</translation>
+    </message>
+    <message>
+        <source>State %1: %2</source>
+        <translation>Stan %1: %2</translation>
+    </message>
+    <message>
+        <source>Assistant linked · heartbeat %1</source>
+        <translation>Asystent połączony · sygnał życia %1</translation>
+    </message>
+    <message>
+        <source>No assistant on port %1</source>
+        <translation>Brak asystenta na porcie %1</translation>
+    </message>
+    <message>
+        <source>Control (simulated)</source>
+        <translation>Sterowanie (symulowane)</translation>
+    </message>
+    <message>
+        <source>The machine runs</source>
+        <translation>Maszyna pracuje</translation>
+    </message>
+    <message>
+        <source>Ask for a stable speed</source>
+        <translation>Zapytaj o stabilną prędkość</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::speed_panel::LinkBar</name>
+    <message>
+        <source>Open the configuration of a link</source>
+        <translation>Otwórz konfigurację połączenia</translation>
+    </message>
+    <message>
+        <source>ASSIST.json (*.json)</source>
+        <translation>ASSIST.json (*.json)</translation>
+    </message>
+    <message>
+        <source>Not linked: nothing is written.</source>
+        <translation>Brak połączenia: nic nie jest zapisywane.</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s spindle is needed first.</source>
+        <translation>Najpierw potrzebne jest wrzeciono maszyny.</translation>
+    </message>
+    <message>
+        <source>Linking …</source>
+        <translation>Łączenie …</translation>
+    </message>
+    <message>
+        <source>Linked to %1: waiting for a request.</source>
+        <translation>Połączono z %1: czekanie na pytanie.</translation>
+    </message>
+    <message>
+        <source>Request %1 refused: %2.</source>
+        <translation>Pytanie %1 odrzucone: %2.</translation>
+    </message>
+    <message>
+        <source>Request %1: %2 → %3 %4, written.</source>
+        <translation>Pytanie %1: %2 → %3 %4, zapisano.</translation>
+    </message>
+    <message>
+        <source>Not verified on a real control. %1</source>
+        <translation>Nie sprawdzono na prawdziwym sterowaniu. %1</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Połącz</translation>
+    </message>
+    <message>
+        <source>Answer the requests of a control: read its values, write the stable speed. Starts nothing.</source>
+        <translation>Odpowiada na pytania sterowania: odczytuje jego wartości, zapisuje stabilną prędkość. Niczego nie uruchamia.</translation>
+    </message>
+    <message>
+        <source>Configuration …</source>
+        <translation>Konfiguracja …</translation>
+    </message>
+    <message>
+        <source>ASSIST.json: limits of the machine, address and registers of the control</source>
+        <translation>ASSIST.json: granice maszyny, adres i rejestry sterowania</translation>
+    </message>
+    <message>
+        <source>Simulator …</source>
+        <translation>Symulator …</translation>
+    </message>
+    <message>
+        <source>Open a control in a window of its own, to see both sides of the link</source>
+        <translation>Otwiera sterowanie w osobnym oknie, by widzieć obie strony połączenia</translation>
+    </message>
+    <message>
+        <source>Kind of the control</source>
+        <translation>Rodzaj sterowania</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::speed_panel::OperatorKeys</name>
     <message>
         <source>%1: from %2 to %3 %4</source>
@@ -20383,6 +20817,10 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Type a value</source>
         <translation>Podaj wartość</translation>
+    </message>
+    <message>
+        <source>Request of the control</source>
+        <translation>Pytanie sterowania</translation>
     </message>
 </context>
 <context>

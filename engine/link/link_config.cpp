@@ -200,7 +200,7 @@ const std::vector<Field<Register>>& fieldsOf(const Register*)
     using R = Register;
     static const std::vector<Field<R>> all = [] {
         std::vector<Field<R>> made{
-            field("address", &R::address, Range{0, 65535},
+            field("address", &R::address, Range{0, 65532},
                   plain(LT_TEXT("Engine", "Address"), LT_TEXT("Engine", "Of its first byte in the R area."))),
             field("bytes", &R::bytes, Range{1, 4}, plain(LT_TEXT("Engine", "Bytes"), LT_TEXT("Engine", "1, 2 or 4."))),
             field("scale", &R::scale, Range{-1e9, 1e9},

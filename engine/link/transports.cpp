@@ -1,6 +1,7 @@
 #include "engine/link/transports.h"
 
 #include "engine/core/core_codes.h"
+#include "engine/link/focas/focas_transport.h"
 #include "engine/link/link_codes.h"
 #include "engine/link/loopback/loopback_transport.h"
 
@@ -22,6 +23,10 @@ const std::vector<TransportKind>& transportKinds()
         {"loopback", LT_TEXT("Engine", "Simulated control"), true,
          [](const LinkConfig& config) {
              return loopbackTransport(needed(config.loopback, "loopback"), config.loop.timeout_ms);
+         }},
+        {"focas", LT_TEXT("Engine", "FANUC (FOCAS2)"), false,
+         [](const LinkConfig& config) {
+             return focasTransport(needed(config.focas, "focas"), config.loop.timeout_ms);
          }},
     };
     return all;

@@ -54,6 +54,13 @@ bool areInRange(const ControlValues& values, const Limits& limits)
            isWithin(valueOf(values, lengthName), limits.lowest_length_mm, limits.highest_length_mm);
 }
 
+/// Whether the response is that of the bar D × L; else it is a shaft's, or measured, or of modes.
+bool isOfBar(const project::PanelState& question)
+{
+    const std::vector<std::string> given = task::givenOf(stability::speedTask(), question);
+    return given.empty() || given.front() == stability::barLengthKey;
+}
+
 State stateOf(const Error& error)
 {
     return error.code() == errors::noStableSpeed ? State::NoStableSpeed : State::NotComputed;
@@ -80,7 +87,8 @@ void Assistant::prepare(const Progress& progress)
 
 bool Assistant::needsProgram(const ControlValues& values) const
 {
-    return ofProgram_ && (!isStated(values, diameterName) || !isStated(values, lengthName));
+    if (!ofProgram_) return false;
+    return !isStated(values, diameterName) || (!isStated(values, lengthName) && isOfBar(question_));
 }
 
 /// The state with which it is refused without a computation; none: it can be computed.
@@ -110,7 +118,7 @@ Reply Assistant::answer(const ControlValues& asked, const std::optional<std::str
             return {State::ProgramNotUsable, {}, {}, {}, {}, toError(failure)};
         }
         if (!isStated(values, diameterName)) values[diameterName] = bar->diameter_mm;
-        if (!isStated(values, lengthName)) values[lengthName] = bar->length_mm;
+        if (!isStated(values, lengthName) && isOfBar(question_)) values[lengthName] = bar->length_mm;
     }
     Reply reply;
     if (const auto no = refused(values))
@@ -131,10 +139,8 @@ Reply Assistant::computed(const ControlValues& values, const Progress& progress)
         task::Sources sources;
         const stability::SpeedOutcome outcome = stability::answerSpeed(state, stores_, sources, progress);
         reply.assumed = outcome.understanding.assumed;
-        // The response is that of the shaft, or measured: the overhang that the control states has no effect.
-        const std::vector<std::string> given = task::givenOf(stability::speedTask(), state);
-        if (isStated(values, lengthName) && !given.empty() && given.front() != stability::barLengthKey)
-            reply.assumed.push_back({lengthName, given.front(), {}, 0});
+        if (isStated(values, lengthName) && !isOfBar(question_))  // the stated overhang has no effect
+            reply.assumed.push_back({lengthName, task::givenOf(stability::speedTask(), question_).front(), {}, 0});
         if (outcome.published) reply.selected_rpm = outcome.published->selected_rpm;
         if (outcome.problem && !outcome.safe) throw Error(*outcome.problem);
         const std::optional<double> speed_rpm = outcome.recommendedRpm();

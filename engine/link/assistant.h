@@ -56,7 +56,7 @@ public:
     /// Throws Cancelled.
     void prepare(const Progress& progress);
 
-    /// `program`: path of the program that is loaded, asked for where D or L is 0 or not there. Never throws but
+    /// `program`: path of the program that is loaded, asked for where D or L is needed and is 0 or not there. Never throws but
     /// Cancelled: what keeps it from an answer is its state. Of one thread at a time.
     Reply answer(const ControlValues& values, const std::optional<std::string>& program, const Progress& progress);
 

@@ -3,6 +3,7 @@
 #include "engine/core/core_codes.h"
 #include "engine/link/focas/focas_transport.h"
 #include "engine/link/link_codes.h"
+#include "engine/link/linuxcnc/hal_transport.h"
 #include "engine/link/loopback/loopback_transport.h"
 
 namespace lathelier::link {
@@ -23,6 +24,10 @@ const std::vector<TransportKind>& transportKinds()
         {"loopback", LT_TEXT("Engine", "Simulated control"), true,
          [](const LinkConfig& config) {
              return loopbackTransport(needed(config.loopback, "loopback"), config.loop.timeout_ms);
+         }},
+        {"linuxcnc", LT_TEXT("Engine", "LinuxCNC"), true,
+         [](const LinkConfig& config) {
+             return halTransport(needed(config.linuxcnc, "linuxcnc"), config.loop.timeout_ms);
          }},
         {"focas", LT_TEXT("Engine", "FANUC (FOCAS2)"), false,
          [](const LinkConfig& config) {

@@ -113,6 +113,7 @@ TEST(Assistant, takes_diameter_and_length_of_the_program_where_the_control_state
     const LinkConfig config = readConfig(configText(R"("program": {"clearance_mm": 20})"), ".");
     Assistant assistant = paperAssistant(config);
     EXPECT_FALSE(assistant.needsProgram({{diameterName, 32}, {lengthName, 100}}));
+    EXPECT_FALSE(assistant.needsProgram({{diameterName, 32}}));  // modes are stated: no bar is asked for
     const ControlValues values{{requestName, 1}, {speedName, paperSpeed_m_min}};
     ASSERT_TRUE(assistant.needsProgram(values));
     const Reply reply = assistant.answer(values, path, {});

@@ -1,0 +1,137 @@
+#!/usr/bin/env bash
+# The assistant linked to a real LinuxCNC that simulates a lathe without a screen: an operator's commands write the pins,
+# ask, read N_cor back and turn the spindle at it.
+#   linked_linuxcnc.sh LATHELIER_CLI
+set -euo pipefail
+cli=$(realpath "$1")
+here=$(dirname "$(realpath "$0")")/linuxcnc
+
+# An ordinary user's: the real-time side refuses root.
+folder=$(mktemp -d -t lathelier-linuxcnc-XXXXXX)
+cp "$here"/lathe.* "$folder"
+cp "$cli" "$folder/lathelier-cli"
+cd "$folder"
+export LC_ALL=C.UTF-8 HOME=$folder PATH=/usr/sbin:/usr/bin:/sbin:/bin
+as_user() { if ((EUID == 0)); then setpriv --reuid=nobody --regid=nogroup --clear-groups "$@"; else "$@"; fi; }
+fail() { echo "FAILED: $*" >&2; tail -n 30 linuxcnc.log log.jsonl >&2 || true; exit 1; }
+soon() { for _ in $(seq 100); do "$@" > /dev/null 2>&1 && return 0; sleep 0.1; done; fail "not within ten seconds: $*"; }
+
+control=
+stop() {
+    set +e
+    [[ -n $control ]] && kill "$control" 2> /dev/null
+    for _ in $(seq 100); do kill -0 "$control" 2> /dev/null || break; sleep 0.1; done
+    as_user pkill -f "$folder" 2> /dev/null
+    sleep 0.3
+    cd /
+    rm -rf "$folder"
+}
+trap stop EXIT
+
+cat > assist.json << END
+{"schema": "lathelier-assist", "schema_version": 1,
+ "parameters": {"mode": [{"frequency_hz": 223, "damping_ratio": 0.03, "stiffness_N_mm": 10000}]},
+ "limits": {"highest_rpm": 6000}, "program": {"clearance_mm": 20},
+ "linuxcnc": {"component": "lathelier", "program_port": 5117}}
+END
+cat > shaft.ngc << END
+G18 G21 G90 G7
+G97 S500 M3
+G0 X36 Z2
+G1 X32 Z2 F0.2
+G1 Z-60
+M5
+M2
+END
+cat > assistant.sh << END
+#!/bin/sh
+exec $folder/lathelier-cli assist --link linuxcnc --config $folder/assist.json --log $folder/log.jsonl
+END
+chmod 755 assistant.sh lathelier-cli
+sed -i "s#ASSISTANT#$folder/assistant.sh#" lathe.hal
+if ((EUID == 0)); then chown -R nobody:nogroup "$folder"; fi
+
+as_user linuxcnc "$folder/lathe.ini" > linuxcnc.log 2>&1 &
+control=$!
+
+pin() { as_user halcmd getp "$1" 2> /dev/null || as_user halcmd gets "$1"; }
+is() { [[ $(pin "$1") =~ ^$2(\.0*)?$ ]]; }
+connected() { exec 3<> /dev/tcp/127.0.0.1/5117; }
+soon connected
+connected
+say() { printf '%s\r\n' "$1" >&3; sleep 0.1; }
+mdi() { say "set mdi $1"; sleep 0.2; }
+for line in "hello EMC operator 1" "set enable EMCTOO" "set estop off" "set machine on" "set home -1"; do say "$line"; done
+sleep 1
+say "set mode mdi"
+
+# The case of the paper: D 32 mm, v_c 290 m/min.
+mdi "M68 E0 Q32"
+mdi "M68 E2 Q290"
+mdi "M68 E5 Q1"
+soon is lathelier.answered 1
+is lathelier.state 1 || fail "state $(pin lathelier.state)"
+is lathelier.n-cor-rpm 3237 || fail "N_cor $(pin lathelier.n-cor-rpm)"
+mdi "M66 E0 L0"
+mdi "M3 S#5399"
+soon is spindle.0.speed-out 3237
+
+# A spindle that turns: refused, and nothing is written.
+mdi "M68 E2 Q200"
+mdi "M68 E5 Q2"
+soon is lathelier.answered 2
+is lathelier.state 12 || fail "state $(pin lathelier.state) with a spindle that turns"
+is lathelier.n-cor-rpm 3237 || fail "N_cor was written though the spindle turns"
+mdi "M5"
+soon is spindle.0.on FALSE
+
+# Out of range: told, and nothing is written.
+mdi "M68 E0 Q-3"
+mdi "M68 E5 Q3"
+soon is lathelier.answered 3
+is lathelier.state 10 || fail "state $(pin lathelier.state) for a diameter below zero"
+is lathelier.n-cor-rpm 3237 || fail "N_cor was written out of range"
+
+# Diameter and length of the program that is loaded: 32 and 62 + 20 mm.
+say "set mode auto"
+sleep 0.3
+say "set open $folder/shaft.ngc"
+sleep 0.5
+say "set mode mdi"
+mdi "M68 E0 Q0"
+mdi "M68 E2 Q290"
+mdi "M68 E5 Q4"
+soon is lathelier.answered 4
+is lathelier.state 1 || fail "state $(pin lathelier.state) with a program"
+grep -q '"request":4.*"diameter_mm":32.0,"length_mm":82.0' log.jsonl || fail "diameter and length of the program"
+
+# A second assistant on this control is refused.
+code=0
+as_user ./lathelier-cli assist --link linuxcnc --config assist.json --once --json second.json > /dev/null 2>&1 || code=$?
+[[ $code == 4 ]] && grep -q '"code": "link_taken"' second.json || fail "a second assistant: $code"
+mdi "M68 E5 Q5"
+soon is lathelier.answered 5
+
+# Fifty requests in a row, each with the speed of its own values.
+for i in $(seq 6 55); do
+    speed=$((i % 2 == 0 ? 290 : 200))
+    printf 'set mdi M68 E2 Q%s\r\n' "$speed" >&3
+    sleep 0.03
+    printf 'set mdi M68 E5 Q%s\r\n' "$i" >&3
+    soon is lathelier.answered "$i"
+done
+[[ $(grep -c '"event":"exchange"' log.jsonl) == 55 ]] || fail "exchanges: $(grep -c '"event":"exchange"' log.jsonl)"
+./lathelier-cli assist --replay log.jsonl --config assist.json || fail "the log is answered otherwise"
+
+# LinuxCNC ends, and the assistant with it.
+say "shutdown"
+exec 3>&-
+for _ in $(seq 150); do kill -0 "$control" 2> /dev/null || break; sleep 0.1; done
+kill -0 "$control" 2> /dev/null && fail "LinuxCNC did not end"
+control=
+for _ in $(seq 50); do pgrep -f "$folder/lathelier-cli" > /dev/null || break; sleep 0.1; done
+pgrep -f "$folder/lathelier-cli" > /dev/null && fail "the assistant outlived LinuxCNC"
+code=0
+as_user ./lathelier-cli assist --link linuxcnc --config assist.json --once > /dev/null 2> error.txt || code=$?
+[[ $code == 4 ]] && grep -q "LinuxCNC does not run" error.txt || fail "without LinuxCNC: $code $(cat error.txt)"
+echo "All answered."

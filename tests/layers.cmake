@@ -6,7 +6,8 @@
 # - the command line (app/cli) includes the engine only;
 # - a source of widgets shows something: one without Qt and VTK belongs to the engine, but for the worker and the
 #   arithmetic of the 3-D scene;
-# - no source but the descriptions of the controls names a control: not by an enumerator, not by its key as a literal.
+# - no source but the descriptions of the controls names a control: not by an enumerator, not by its key as a literal. A
+#   link to a machine (engine/link) is no program: it has the name of what it is linked to.
 cmake_policy(VERSION 3.25)
 set(known_rooms "")
 macro(room name)
@@ -97,7 +98,8 @@ foreach(relative ${files})
     string(REPLACE "/" ";" rooms ${relative})
     list(GET rooms 0 house)
     list(GET rooms 1 room)
-    if(any_control AND NOT relative MATCHES "^${control_descriptions}" AND NOT relative IN_LIST names_of_posts)
+    if(any_control AND NOT relative MATCHES "^${control_descriptions}" AND NOT relative IN_LIST names_of_posts
+       AND NOT relative MATCHES "^engine/link/")
         named_control(${SOURCE_DIR}/${relative} named)
         if(named)
             complain("${named} names a control, which only ${control_descriptions} may: ask a property of gcode::Control")

@@ -17591,6 +17591,30 @@
         <source>a kind of link, or --replay</source>
         <translation>rodzaj połączenia albo --replay</translation>
     </message>
+    <message>
+        <source>LinuxCNC runs as another user</source>
+        <translation>LinuxCNC działa jako inny użytkownik</translation>
+    </message>
+    <message>
+        <source>LinuxCNC does not run</source>
+        <translation>LinuxCNC nie działa</translation>
+    </message>
+    <message>
+        <source>the pins could not be made</source>
+        <translation>nie udało się utworzyć końcówek</translation>
+    </message>
+    <message>
+        <source>LinuxCNC has ended</source>
+        <translation>LinuxCNC zakończył pracę</translation>
+    </message>
+    <message>
+        <source>this program was built without LinuxCNC</source>
+        <translation>ten program zbudowano bez LinuxCNC</translation>
+    </message>
+    <message>
+        <source>FANUC (FOCAS2)</source>
+        <translation>FANUC (FOCAS2)</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

@@ -133,6 +133,8 @@ Json asJson(const link::ControlValues& values)
 void simulate(int port, const Request& request, const Progress& progress, Answer& answer)
 {
     link::SimulatedControl control(port);
+    if (!request.in_full)
+        std::cout << fill("Simulated control on port {port}\n", {{"port", std::int64_t{port}}}) << std::flush;
     std::string pending;
     bool is_open = true;
     std::optional<double> shown;

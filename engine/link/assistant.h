@@ -17,11 +17,11 @@ namespace lathelier::link {
 
 /// What a control may ask.
 struct Limits {
-    double highest_rpm = 0;                    ///< of the machine: N_cor above is refused; needed
-    std::optional<double> lowest_diameter_mm;  ///< further limits than those of the task's fields
-    std::optional<double> highest_diameter_mm;
-    std::optional<double> lowest_length_mm;
-    std::optional<double> highest_length_mm;
+    double highest_rpm = 0;                     ///< of the machine: N_cor above is refused; needed
+    std::optional<double> lowest_diameter_mm;   ///< further limits than those of the task's fields
+    std::optional<double> highest_diameter_mm;  ///< likewise
+    std::optional<double> lowest_length_mm;     ///< likewise
+    std::optional<double> highest_length_mm;    ///< likewise
 };
 
 /// D and L that a control leaves open: of the program that is loaded on it.
@@ -31,10 +31,10 @@ struct OfProgram {
 
 /// D and L of a program (program_bar.h).
 struct ProgramBar {
-    std::string path;
-    std::string sha256;
-    double diameter_mm = 0;
-    double length_mm = 0;
+    std::string path;        ///< of the program
+    std::string sha256;      ///< of its content
+    double diameter_mm = 0;  ///< D
+    double length_mm = 0;    ///< L, with the clearance
 };
 
 /// What is answered, and what is written with it.
@@ -56,8 +56,8 @@ public:
     /// Throws Cancelled.
     void prepare(const Progress& progress);
 
-    /// `program`: path of the program that is loaded, asked for where D or L is needed and is 0 or not there. Never throws but
-    /// Cancelled: what keeps it from an answer is its state. Of one thread at a time.
+    /// `program`: path of the program that is loaded, asked for where D or L is needed and is 0 or not there. Never
+    /// throws but Cancelled: what keeps it from an answer is its state. Of one thread at a time.
     Reply answer(const ControlValues& values, const std::optional<std::string>& program, const Progress& progress);
 
     /// Whether D or L of these values is to come from the program.

@@ -22,13 +22,13 @@ namespace lathelier::link {
 
 /// One request and its answer.
 struct Exchange {
-    std::string time;                   ///< UTC, ISO 8601 with milliseconds, when the request was seen
-    std::int64_t request = 0;           ///< its number
-    ControlValues read;                 ///< with which it was answered
-    Reply reply;                        ///< `state`: as it was written
-    std::optional<double> written_rpm;  ///< N_cor, where it was written
-    std::optional<double> read_back_rpm;
-    double duration_ms = 0;  ///< from the request seen to `answered` written
+    std::string time;                     ///< UTC, ISO 8601 with milliseconds, when the request was seen
+    std::int64_t request = 0;             ///< its number
+    ControlValues read;                   ///< with which it was answered
+    Reply reply;                          ///< `state`: as it was written
+    std::optional<double> written_rpm;    ///< N_cor, where it was written
+    std::optional<double> read_back_rpm;  ///< what the control held then
+    double duration_ms = 0;               ///< from the request seen to `answered` written
 };
 
 enum class LinkEvent { Opened, Exchanged, Lost, Taken, Closed };
@@ -36,11 +36,11 @@ enum class LinkEvent { Opened, Exchanged, Lost, Taken, Closed };
 /// One line of the log.
 struct LogEntry {
     LinkEvent event = LinkEvent::Closed;
-    std::string time;
-    std::string kind;  ///< of the link; of Opened, as what follows
-    std::string peer;
-    std::string config_sha256;
-    bool is_verified = true;
+    std::string time;                  ///< UTC, as that of an exchange
+    std::string kind;                  ///< of the link; of Opened, as what follows
+    std::string peer;                  ///< Transport::peer()
+    std::string config_sha256;         ///< of ASSIST.json
+    bool is_verified = true;           ///< Transport::isVerified()
     std::optional<Exchange> exchange;  ///< of Exchanged
     std::optional<Error> error;        ///< of Lost and Taken
 };
@@ -55,8 +55,8 @@ struct LoggedExchange {
     Exchange exchange;      ///< without `assumed` and `error`
 };
 struct Log {
-    std::vector<LoggedExchange> exchanges;
-    InputFile file;
+    std::vector<LoggedExchange> exchanges;  ///< in order
+    InputFile file;                         ///< they were read from
 };
 Log readLog(const std::string& path, const Progress& progress);
 

@@ -31,16 +31,16 @@ inline constexpr int assistVersion = 1;
 
 /// Of the loop, with the time-out of the transports.
 struct LoopFields {
-    double poll_ms = 10;
-    double heartbeat_ms = 500;
-    double reconnect_ms = 500;
-    double timeout_ms = 500;  ///< of one answer of the control
+    double poll_ms = 10;        ///< LoopSettings
+    double heartbeat_ms = 500;  ///< likewise
+    double reconnect_ms = 500;  ///< likewise
+    double timeout_ms = 500;    ///< of one answer of the control
 };
 
 /// A simulated control.
 struct LoopbackSettings {
-    std::string host = "127.0.0.1";
-    int port = 7660;
+    std::string host = "127.0.0.1";  ///< where it listens
+    int port = 7660;                 ///< likewise
 };
 
 /// A component of LinuxCNC's hardware abstraction layer (HAL).
@@ -58,21 +58,21 @@ struct Register {
 };
 
 struct FocasSettings {
-    std::string library = "libfwlib32.so";  ///< the vendor's, as the user has it
-    std::string host;                       ///< of the control
-    int port = 8193;
+    std::string library = "libfwlib32.so";      ///< the vendor's, as the user has it
+    std::string host;                           ///< of the control
+    int port = 8193;                            ///< likewise
     std::map<std::string, Register> registers;  ///< by name, see control_values.h
 };
 
 struct LinkConfig {
-    project::PanelState question;  ///< inputs and parameters of the task speed
-    Limits limits;
-    std::optional<OfProgram> program;
-    LoopFields loop;
-    std::optional<LoopbackSettings> loopback;
-    std::optional<LinuxCncSettings> linuxcnc;
-    std::optional<FocasSettings> focas;
-    InputFile file;  ///< it was read from
+    project::PanelState question;              ///< inputs and parameters of the task speed
+    Limits limits;                             ///< of what may be asked
+    std::optional<OfProgram> program;          ///< none: D and L have to be stated
+    LoopFields loop;                           ///< periods and time-out
+    std::optional<LoopbackSettings> loopback;  ///< none: not configured
+    std::optional<LinuxCncSettings> linuxcnc;  ///< likewise
+    std::optional<FocasSettings> focas;        ///< likewise
+    InputFile file;                            ///< it was read from
 };
 
 const std::vector<Field<Limits>>& fieldsOf(const Limits*);

@@ -24,8 +24,8 @@ enum class Ask { Hello, Read, Write, Program };
 
 /// What an assistant asks.
 struct Message {
-    std::int64_t id = 0;
-    Ask ask = Ask::Hello;
+    std::int64_t id = 0;             ///< that the answer repeats
+    Ask ask = Ask::Hello;            ///< what is asked
     std::vector<std::string> names;  ///< of Read
     std::string name;                ///< of Write
     double value = 0;                ///< likewise

@@ -161,8 +161,8 @@ void simulate(int port, const Request& request, const Progress& progress, Answer
         pending.clear();
     }
     answer.json = [values = control.values()] { return Json{{"values", asJson(values)}}; };
-    if (control.corrected_rpm())
-        answer.summary = fill("N_cor {value:0} 1/min\n", {{"value", *control.corrected_rpm()}});
+    if (control.correctedRpm())
+        answer.summary = fill("N_cor {value:0} 1/min\n", {{"value", *control.correctedRpm()}});
 }
 
 void replayLog(const link::Log& log, link::Assistant& assistant, const Progress& progress, Answer& answer)

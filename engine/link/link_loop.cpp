@@ -15,7 +15,7 @@ constexpr double longestSleep_ms = 20;      // between two looks at a stop
 constexpr double watchedPeriods = 2.5;      // of the heartbeat, before a control counts as free
 constexpr double heldResolution_rpm = 0.5;  // N_cor is a whole number
 
-std::int64_t now_ms()
+std::int64_t nowMs()
 {
     using namespace std::chrono;
     return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
@@ -24,8 +24,8 @@ std::int64_t now_ms()
 /// Throws Cancelled when stopped.
 void wait(double ms, const Progress& progress)
 {
-    const std::int64_t end = now_ms() + static_cast<std::int64_t>(std::ceil(ms));
-    for (std::int64_t left = end - now_ms(); left > 0; left = end - now_ms()) {
+    const std::int64_t end = nowMs() + static_cast<std::int64_t>(std::ceil(ms));
+    for (std::int64_t left = end - nowMs(); left > 0; left = end - nowMs()) {
         progress.check();
         std::this_thread::sleep_for(
             std::chrono::duration<double, std::milli>(std::min(static_cast<double>(left), longestSleep_ms)));
@@ -104,7 +104,7 @@ void LinkLoop::open(const Progress& progress)
     transport_.open();
     if (!transport_.isExclusive()) requireAlone(progress);
     heartbeat_ = 0;
-    nextBeat_ms_ = now_ms();
+    nextBeat_ms_ = nowMs();
     notUnderstood_.reset();
     const double answered = transport_.read({answeredName}).at(answeredName);
     answered_ = isRequest(answered) ? static_cast<std::int64_t>(answered) : 0;
@@ -113,9 +113,9 @@ void LinkLoop::open(const Progress& progress)
 /// A heartbeat that goes on without this assistant is that of another one.
 void LinkLoop::requireAlone(const Progress& progress)
 {
-    const std::int64_t end = now_ms() + static_cast<std::int64_t>(watchedPeriods * settings_.heartbeat_ms);
+    const std::int64_t end = nowMs() + static_cast<std::int64_t>(watchedPeriods * settings_.heartbeat_ms);
     const double first = transport_.read({heartbeatName}).at(heartbeatName);
-    while (now_ms() < end) {
+    while (nowMs() < end) {
         wait(settings_.poll_ms, progress);
         if (transport_.read({heartbeatName}).at(heartbeatName) != first)
             throw Error(errors::linkTaken, {{"peer", transport_.peer()}});
@@ -134,8 +134,8 @@ void LinkLoop::follow(const Progress& progress)
 
 void LinkLoop::beat()
 {
-    if (now_ms() < nextBeat_ms_) return;
-    nextBeat_ms_ = now_ms() + static_cast<std::int64_t>(settings_.heartbeat_ms);
+    if (nowMs() < nextBeat_ms_) return;
+    nextBeat_ms_ = nowMs() + static_cast<std::int64_t>(settings_.heartbeat_ms);
     if (heartbeat_ == 0) {
         heartbeat_ = firstHeartbeat();
     } else {

@@ -73,7 +73,7 @@ ControlWindow::ControlWindow(QWidget* parent)
     layout->setRowStretch(row, 1);
     connect(ask_, &QPushButton::clicked, this, &ControlWindow::ask);
     connect(running_, &QCheckBox::toggled, this, [this](bool runs) { control_.set(link::runningName, runs ? 1 : 0); });
-    connect(look_, &QTimer::timeout, this, &ControlWindow::show_);
+    connect(look_, &QTimer::timeout, this, &ControlWindow::showState);
     look_->start(lookEvery_ms);
     retranslate();
 }
@@ -83,16 +83,16 @@ void ControlWindow::ask()
 {
     for (const auto& [key, field] : fields_) control_.set(key, field->value());
     control_.request();
-    show_();
+    showState();
 }
 
-void ControlWindow::show_()
+void ControlWindow::showState()
 {
     const link::ControlValues now = control_.values();
     const double request = now.at(link::requestName);
     const bool is_answered = request != 0 && now.at(link::answeredName) == request;
     const auto state = link::stateOfNumber(static_cast<std::int64_t>(now.at(link::stateName)));
-    const std::optional<double> corrected = control_.corrected_rpm();
+    const std::optional<double> corrected = control_.correctedRpm();
     corrected_->setText(corrected ? QString("N %1 %2").arg(screenNumber(*corrected, 0), screenText(unit::rpm))
                                   : QString("–"));
     const bool is_linked = control_.isLinked();
@@ -119,7 +119,7 @@ void ControlWindow::retranslate()
     }
     running_->setText(tr("The machine runs"));
     ask_->setText(tr("Ask for a stable speed"));
-    show_();
+    showState();
 }
 
 void ControlWindow::closeEvent(QCloseEvent* event)

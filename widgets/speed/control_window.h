@@ -34,7 +34,7 @@ protected:
 private:
     void ask();
     void retranslate();
-    void show_();
+    void showState();
 
     link::SimulatedControl control_;
     std::map<std::string, QDoubleSpinBox*> fields_;

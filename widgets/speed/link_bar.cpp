@@ -57,7 +57,7 @@ LinkBar::LinkBar(QWidget* parent)
     connect(switch_, &QPushButton::toggled, this, &LinkBar::switchTo);
     connect(configuration_, &QPushButton::clicked, this, &LinkBar::askForConfiguration);
     connect(simulator_, &QPushButton::clicked, this, &LinkBar::openControl);
-    connect(&link_, &ControlLink::changed, this, &LinkBar::show_);
+    connect(&link_, &ControlLink::changed, this, &LinkBar::showState);
     connect(&link_, &ControlLink::exchanged, this, [this] {
         const link::State state = link_.last()->reply.state;
         if (state == link::State::Ok || state == link::State::NoStableSpeed) emit asked(link_.last()->read);
@@ -72,7 +72,7 @@ void LinkBar::setQuestion(const std::optional<project::PanelState>& question)
     const ControlLink::Status status = link_.status();
     if (is_other && status != ControlLink::Status::Off && status != ControlLink::Status::Refused)
         switchTo(true);  // requests are answered with what the screen shows
-    show_();
+    showState();
 }
 
 void LinkBar::switchTo(bool on)
@@ -94,7 +94,7 @@ void LinkBar::openControl()
     kinds_->setCurrentIndex(kinds_->findData(simulatedKind));
     control_->show();
     control_->raise();
-    show_();
+    showState();
 }
 
 void LinkBar::askForConfiguration()
@@ -138,7 +138,7 @@ QString LinkBar::stateText() const
              screenNumber(last.written_rpm.value_or(notANumber), 0), screenText(unit::rpm));
 }
 
-void LinkBar::show_()
+void LinkBar::showState()
 {
     using Status = ControlLink::Status;
     const Status status = link_.status();
@@ -171,7 +171,7 @@ void LinkBar::retranslate()
     kinds_->setAccessibleName(tr("Kind of the control"));
     for (int i = 0; i < kinds_->count(); ++i)
         kinds_->setItemText(i, screenText(link::transportKinds()[static_cast<std::size_t>(i)].title));
-    show_();
+    showState();
 }
 
 }  // namespace lathelier::speed_panel

@@ -39,7 +39,7 @@ private:
     void switchTo(bool on);
     void openControl();
     void askForConfiguration();
-    void show_();
+    void showState();
     QString stateText() const;
 
     ControlLink link_;

@@ -144,11 +144,11 @@ void SimulatedControl::Server::Session::answer(const std::string& line)
         reply = {{"id", nullptr}, {"error", "not_understood"}};
     }
     sent = reply.dump(-1, ' ', false, Json::error_handler_t::replace).append("\n");
-    if (const auto fault = server.faultNow()) {
-        if (*fault == Fault::Cut) return end();
-        if (*fault == Fault::Silence) return listen();
-        if (*fault == Fault::Garbage) sent = "\x01\xff{\"id\": 1e999, [\n";
-        if (*fault == Fault::WrongId) sent = "{\"id\": -7, \"values\": {\"request\": 1}, \"written\": true}\n";
+    if (const auto wrong = server.faultNow()) {
+        if (*wrong == Fault::Cut) return end();
+        if (*wrong == Fault::Silence) return listen();
+        if (*wrong == Fault::Garbage) sent = "\x01\xff{\"id\": 1e999, [\n";
+        if (*wrong == Fault::WrongId) sent = "{\"id\": -7, \"values\": {\"request\": 1}, \"written\": true}\n";
     }
     auto self = shared_from_this();
     asio::async_write(socket, asio::buffer(sent), [self](error_code why, std::size_t) {
@@ -231,7 +231,7 @@ std::int64_t SimulatedControl::request()
     return next;
 }
 
-std::optional<double> SimulatedControl::corrected_rpm() const
+std::optional<double> SimulatedControl::correctedRpm() const
 {
     const ControlValues now = values();
     if (now.at(requestName) == 0 || now.at(answeredName) != now.at(requestName)) return std::nullopt;

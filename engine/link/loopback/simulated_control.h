@@ -28,7 +28,7 @@ public:
     /// States the next request: the operator asks. Its number.
     std::int64_t request();
     /// Whether N_cor holds: `answered` is the request, and the state is Ok.
-    std::optional<double> corrected_rpm() const;
+    std::optional<double> correctedRpm() const;
     bool isLinked() const;
 
     /// What can go wrong, for tests and lessons.

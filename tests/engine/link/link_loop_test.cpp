@@ -39,7 +39,7 @@ TEST(LinkLoop, answers_the_case_of_the_paper)
     const RunningLoop running(*linked.transport, linked.assistant, loopSettings(linked.config, false));
     linked.control.request();
     ASSERT_TRUE(holdsSoon([&] { return linked.isAnswered(); }));
-    EXPECT_EQ(linked.control.corrected_rpm().value(), paperCorrected_rpm);
+    EXPECT_EQ(linked.control.correctedRpm().value(), paperCorrected_rpm);
     ASSERT_TRUE(holdsSoon([&] { return running.entries().size() >= 2; }));
     const Exchange exchange = running.entries()[1].exchange.value();
     EXPECT_NEAR(exchange.reply.selected_rpm.value(), paperSelected_rpm, 0.1);
@@ -57,7 +57,7 @@ TEST(LinkLoop, answers_a_thousand_requests_in_a_row)
         const std::int64_t request = linked.control.request();
         ASSERT_TRUE(holdsSoon([&] { return linked.isAnswered(); })) << i;
         ASSERT_EQ(linked.control.values().at(answeredName), static_cast<double>(request));
-        ASSERT_EQ(linked.control.corrected_rpm().has_value(), is_good) << i;
+        ASSERT_EQ(linked.control.correctedRpm().has_value(), is_good) << i;
         ASSERT_EQ(linked.control.values().at(correctedName), paperCorrected_rpm);
     }
 }
@@ -86,7 +86,7 @@ TEST(LinkLoop, a_link_that_is_cut_at_any_moment_lets_nothing_wrong_hold)
         linked.control.request();
         // Whatever holds at any time is that of the values that stand.
         ASSERT_TRUE(holdsSoon([&] {
-            const std::optional<double> held = linked.control.corrected_rpm();
+            const std::optional<double> held = linked.control.correctedRpm();
             if (held) {
                 EXPECT_EQ(*held, is_first ? paperCorrected_rpm : otherCorrected) << i;
             }
@@ -109,7 +109,7 @@ TEST(LinkLoop, a_control_that_is_silent_is_lost_within_the_time_out)
     }));
     EXPECT_EQ(running.entries()[1].error->code(), errors::linkLost);
     linked.control.request();
-    EXPECT_TRUE(holdsSoon([&] { return linked.control.corrected_rpm() == paperCorrected_rpm; }));
+    EXPECT_TRUE(holdsSoon([&] { return linked.control.correctedRpm() == paperCorrected_rpm; }));
 }
 
 TEST(LinkLoop, a_second_assistant_on_one_control_is_refused)
@@ -123,7 +123,7 @@ TEST(LinkLoop, a_second_assistant_on_one_control_is_refused)
     ASSERT_TRUE(holdsSoon([&] { return second.error().has_value(); }));
     EXPECT_EQ(second.error()->code(), errors::linkTaken);
     linked.control.request();
-    EXPECT_TRUE(holdsSoon([&] { return linked.control.corrected_rpm() == paperCorrected_rpm; }));
+    EXPECT_TRUE(holdsSoon([&] { return linked.control.correctedRpm() == paperCorrected_rpm; }));
 }
 
 TEST(LinkLoop, writes_no_speed_while_the_machine_runs)
@@ -136,7 +136,7 @@ TEST(LinkLoop, writes_no_speed_while_the_machine_runs)
     ASSERT_TRUE(holdsSoon([&] { return linked.isAnswered(); }));
     EXPECT_EQ(linked.state_(), State::Running);
     EXPECT_EQ(linked.control.values().at(correctedName), 1234);
-    EXPECT_FALSE(linked.control.corrected_rpm());
+    EXPECT_FALSE(linked.control.correctedRpm());
 }
 
 TEST(LinkLoop, tells_a_request_that_is_none)
@@ -157,7 +157,7 @@ TEST(LinkLoop, a_control_with_one_bit_is_answered_each_time_it_asks)
     const RunningLoop running(*linked.transport, linked.assistant, loopSettings(linked.config, false));
     for (int i = 0; i < 3; ++i) {
         linked.control.set(requestName, 1);
-        ASSERT_TRUE(holdsSoon([&] { return linked.control.corrected_rpm() == paperCorrected_rpm; }));
+        ASSERT_TRUE(holdsSoon([&] { return linked.control.correctedRpm() == paperCorrected_rpm; }));
         linked.control.set(requestName, 0);
         ASSERT_TRUE(holdsSoon([&] { return linked.control.values().at(answeredName) == 0; }));
         EXPECT_EQ(linked.state_(), State::Idle);
@@ -182,7 +182,7 @@ TEST(LinkLoop, ends_after_one_answer_when_asked_to)
     LinkLoop loop(*linked.transport, linked.assistant, loopSettings(linked.config, true), {});
     loop.run({});
     EXPECT_EQ(loop.last()->reply.n_cor_rpm, paperCorrected_rpm);
-    EXPECT_EQ(linked.control.corrected_rpm(), paperCorrected_rpm);
+    EXPECT_EQ(linked.control.correctedRpm(), paperCorrected_rpm);
 }
 
 TEST(LinkLoop, without_a_control_says_where_it_looked)

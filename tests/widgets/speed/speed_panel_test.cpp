@@ -210,14 +210,14 @@ private slots:
         control->findChild<QDoubleSpinBox*>("cutting_speed_m_min")->setValue(250);
         const int steps = session_->undoStack().count();
         control->findChild<QPushButton*>("controlAsk")->click();
-        QTRY_VERIFY(control->control().corrected_rpm().has_value());
+        QTRY_VERIFY(control->control().correctedRpm().has_value());
         QTRY_COMPARE(panel_->result()->question.speed.cutting_speed_m_min.value_or(0), 250.0);
         settle();
         // What the control was told is what the screen says.
-        QCOMPARE(*control->control().corrected_rpm(), std::round(*panel_->result()->recommendedRpm()));
+        QCOMPARE(*control->control().correctedRpm(), std::round(*panel_->result()->recommendedRpm()));
         QTRY_VERIFY(control->findChild<QLabel*>("controlCorrected")
                         ->text()
-                        .contains(QString::number(*control->control().corrected_rpm())));
+                        .contains(QString::number(*control->control().correctedRpm())));
         QCOMPARE(session_->undoStack().count(), steps + 1);
         QVERIFY(panel_->findChild<QLabel*>("linkLine")->text().contains("written"));
     }

@@ -1,17 +1,22 @@
 #include "engine/link/focas/focas_transport.h"
 
-#include <dlfcn.h>
-
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <thread>
 #include <utility>
 
+#include "engine/link/focas/call_thread.h"
 #include "engine/link/focas/focas_api.h"
+#include "engine/link/focas/focas_library.h"
 #include "engine/link/link_codes.h"
 
 namespace lathelier::link {
 namespace {
+
+constexpr std::chrono::milliseconds busyPause{5};
+constexpr double heldExactly = 1e-6;  // of whole numbers, after a scale such as 0.1
 
 /// Whole numbers with sign that so many bytes hold.
 double mostOf(int bytes)
@@ -33,13 +38,52 @@ void putNumber(std::int64_t number, int bytes, char* data)
         data[i] = static_cast<char>(static_cast<unsigned char>((static_cast<std::uint64_t>(number) >> (8 * i)) & 0xFF));
 }
 
+int lastOf(const Register& place)
+{
+    return place.address + place.bytes - 1;
+}
+
+focas::PmcBlock blockOf(int first, int last)
+{
+    focas::PmcBlock block;
+    block.first = static_cast<unsigned short>(first);
+    block.last = static_cast<unsigned short>(last);
+    return block;
+}
+
+unsigned short lengthOf(const focas::PmcBlock& block)
+{
+    return static_cast<unsigned short>(focas::headBytes + block.last - block.first + 1);
+}
+
+/// "R1000-R1007", with area and type where they are others
+std::string rangeText(const focas::PmcBlock& block)
+{
+    std::string text;
+    if (block.area != focas::areaR || block.type != focas::dataBytes)
+        text = std::to_string(block.area).append("/").append(std::to_string(block.type)).append(" ");
+    return text.append("R").append(std::to_string(block.first)).append("-R").append(std::to_string(block.last));
+}
+
+/// A handle, used in the thread of the calls alone; shared with calls that are late.
+struct Session {
+    std::shared_ptr<const focas::Library> library;
+    std::optional<unsigned short> handle = {};
+};
+
+/// What a call is given and gives back; shared with it likewise.
+struct Answer {
+    focas::PmcBlock block = {};
+    short result = focas::ok;
+};
+
 class FocasTransport : public Transport {
 public:
     FocasTransport(FocasSettings settings, double timeout_ms)
-        : settings_(std::move(settings)), timeout_s_(std::max(1L, std::lround(timeout_ms / 1000)))
+        : settings_(std::move(settings)), timeout_ms_(timeout_ms), calls_(timeout_ms)
     {
     }
-    ~FocasTransport() override;
+    ~FocasTransport() override { close(); }
     FocasTransport(const FocasTransport&) = delete;
     FocasTransport& operator=(const FocasTransport&) = delete;
 
@@ -48,151 +92,180 @@ public:
     void write(const std::string& name, double value) override;
     bool offers(const std::string& name) const override { return settings_.registers.count(name) > 0; }
     void close() noexcept override;
-    bool isOpen() const override { return handle_.has_value(); }
+    bool isOpen() const override { return session_ != nullptr; }
     bool isExclusive() const override { return false; }  // the library gives handles to several programs
     bool isVerified() const override { return false; }
     std::string peer() const override { return settings_.host + ":" + std::to_string(settings_.port); }
 
 private:
-    void load();
-    template <class Function>
-    Function symbol(const char* name);
-    [[noreturn]] void fail(const ErrorCode& code, const std::string& reason);
-    void requireOk(const char* call, short result);
-    void readRange(int first, int last, char* data);
+    using Ask = short (*)(const focas::Library& library, unsigned short handle, focas::PmcBlock& block);
+
+    [[noreturn]] void fail(const ErrorCode& code, const Value& reason);
+    void requireFit();
+    void requireApart();
+    std::int64_t heldNumber(const std::string& name, double value);
+    focas::PmcBlock asked(const char* name, const focas::PmcBlock& block, Ask ask);
+    void readRange(const std::vector<std::string>& names, ControlValues& values);
 
     FocasSettings settings_;
-    long timeout_s_;
-    void* library_ = nullptr;
-    focas::ExitProcess exit_ = nullptr;
-    focas::Allocate allocate_ = nullptr;
-    focas::Free free_ = nullptr;
-    focas::ReadRange read_ = nullptr;
-    focas::WriteRange write_ = nullptr;
-    std::optional<unsigned short> handle_;
+    double timeout_ms_;
+    std::shared_ptr<Session> session_;
+    CallThread calls_;
 };
 
-FocasTransport::~FocasTransport()
-{
-    close();
-    if (exit_) exit_();
-    if (library_) ::dlclose(library_);
-}
-
-void FocasTransport::fail(const ErrorCode& code, const std::string& reason)
+void FocasTransport::fail(const ErrorCode& code, const Value& reason)
 {
     close();
     throw Error(code, {{"peer", peer()}, {"reason", reason}});
 }
 
-template <class Function>
-Function FocasTransport::symbol(const char* name)
+/// What is written whatever is asked, and the number of any request that the control can state.
+void FocasTransport::requireFit()
 {
-    return reinterpret_cast<Function>(::dlsym(library_, name));
+    heldNumber(heartbeatName, static_cast<double>(mostCount));
+    heldNumber(stateName, static_cast<double>(State::Ok));
+    heldNumber(stateName, static_cast<double>(State::NotModelled));
+    const Register& request = settings_.registers.at(requestName);
+    const double most_request = std::fabs(request.scale) * mostOf(request.bytes);
+    heldNumber(answeredName, 1);
+    heldNumber(answeredName, std::floor(std::min(static_cast<double>(mostCount), most_request)));
 }
 
-void FocasTransport::load()
+/// Else a state that is written would change N_cor after it was read back, or a value of the control.
+void FocasTransport::requireApart()
 {
-    if (library_) return;
-    library_ = ::dlopen(settings_.library.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!library_) {
-        const char* const reason = ::dlerror();
-        fail(errors::linkNotFound, reason ? reason : settings_.library);
+    for (const std::string& written : writtenNames()) {
+        const Register& place = settings_.registers.at(written);
+        for (const auto& [name, other] : settings_.registers)
+            if (name != written && other.address <= lastOf(place) && place.address <= lastOf(other))
+                fail(errors::linkNotFound, LT_TEXT("Engine", "a register that is written shares a byte with another"));
     }
-    allocate_ = symbol<focas::Allocate>(focas::allocateName);
-    free_ = symbol<focas::Free>(focas::freeName);
-    read_ = symbol<focas::ReadRange>(focas::readName);
-    write_ = symbol<focas::WriteRange>(focas::writeName);
-    for (const auto& [name, is_there] : {std::pair{focas::allocateName, allocate_ != nullptr},
-                                         {focas::freeName, free_ != nullptr},
-                                         {focas::readName, read_ != nullptr},
-                                         {focas::writeName, write_ != nullptr}}) {
-        if (is_there) continue;
-        ::dlclose(std::exchange(library_, nullptr));
-        fail(errors::linkNotFound, settings_.library + ": " + name);
-    }
-    const auto start = symbol<focas::StartProcess>(focas::startProcessName);
-    if (start) start(0, "");
-    exit_ = symbol<focas::ExitProcess>(focas::exitProcessName);
 }
 
 void FocasTransport::open()
 {
     close();
-    load();
-    unsigned short handle = 0;
-    const short result =
-        allocate_(settings_.host.c_str(), static_cast<unsigned short>(settings_.port), timeout_s_, &handle);
-    if (result != focas::ok)
-        fail(errors::linkNotFound, std::string(focas::allocateName).append(": ").append(std::to_string(result)));
-    handle_ = handle;
-}
-
-void FocasTransport::requireOk(const char* call, short result)
-{
-    if (result != focas::ok) fail(errors::linkLost, std::string(call).append(": ").append(std::to_string(result)));
-}
-
-void FocasTransport::readRange(int first, int last, char* data)
-{
-    focas::PmcBlock block;
-    block.first = static_cast<unsigned short>(first);
-    block.last = static_cast<unsigned short>(last);
-    const auto length = static_cast<unsigned short>(focas::headBytes + last - first + 1);
-    requireOk(focas::readName,
-              read_(*handle_, focas::areaR, focas::dataBytes, block.first, block.last, length, &block));
-    std::copy_n(block.data, last - first + 1, data);
-}
-
-/// One call where all values lie together, so that they are of one moment.
-ControlValues FocasTransport::read(const std::vector<std::string>& names)
-{
-    if (!handle_) fail(errors::linkLost, focas::readName);
-    int first = 65536;
-    int last = 0;
-    for (const std::string& name : names) {
-        const Register& place = settings_.registers.at(name);
-        first = std::min(first, place.address);
-        last = std::max(last, place.address + place.bytes - 1);
+    requireFit();
+    requireApart();
+    const auto session = std::make_shared<Session>();
+    try {
+        session->library = focas::sharedLibrary(settings_.library);
+    } catch (Error& error) {
+        throw error.with("peer", peer());
     }
-    const bool is_together = last - first < static_cast<int>(focas::mostBytes);
-    char data[focas::mostBytes] = {};
-    if (is_together && !names.empty()) readRange(first, last, data);
-    ControlValues values;
+    session_ = session;
+    const auto answer = std::make_shared<Answer>();
+    // Of the library: whole seconds, and 0 would be for ever.
+    const auto timeout_s = static_cast<long>(std::max(1.0, std::ceil(timeout_ms_ / 1000)));
+    const bool is_done = calls_.run([session, answer, timeout_s, host = settings_.host, port = settings_.port] {
+        unsigned short handle = 0;
+        answer->result =
+            session->library->allocate(host.c_str(), static_cast<unsigned short>(port), timeout_s, &handle);
+        if (answer->result == focas::ok) session->handle = handle;
+    });
+    if (!is_done) fail(errors::linkNotFound, LT_TEXT("Engine", "no answer within the time-out"));
+    if (answer->result != focas::ok) fail(errors::linkNotFound, focas::resultText(focas::allocateName, answer->result));
+}
+
+/// The block as the library left it. A control that is busy is asked again, for as long as it may still answer within
+/// the time-out. Errors linkLost.
+focas::PmcBlock FocasTransport::asked(const char* name, const focas::PmcBlock& block, Ask ask)
+{
+    if (!session_) fail(errors::linkLost, std::string(name));
+    const auto answer = std::make_shared<Answer>();
+    answer->block = block;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double, std::milli>(timeout_ms_ / 2);
+    const bool is_done = calls_.run([session = session_, answer, ask, end] {
+        answer->result = ask(*session->library, *session->handle, answer->block);
+        while (answer->result == focas::busy && std::chrono::steady_clock::now() < end) {
+            std::this_thread::sleep_for(busyPause);
+            answer->result = ask(*session->library, *session->handle, answer->block);
+        }
+    });
+    if (!is_done) fail(errors::linkLost, LT_TEXT("Engine", "no answer within the time-out"));
+    if (answer->result != focas::ok) fail(errors::linkLost, focas::resultText(name, answer->result));
+    return answer->block;
+}
+
+/// Registers that lie within one call.
+void FocasTransport::readRange(const std::vector<std::string>& names, ControlValues& values)
+{
+    int last = 0;
+    for (const std::string& name : names) last = std::max(last, lastOf(settings_.registers.at(name)));
+    const focas::PmcBlock question = blockOf(settings_.registers.at(names.front()).address, last);
+    const focas::PmcBlock answer = asked(
+        focas::readName, question, [](const focas::Library& library, unsigned short handle, focas::PmcBlock& block) {
+            return library.read(handle, focas::areaR, focas::dataBytes, block.first, block.last, lengthOf(block),
+                                &block);
+        });
+    if (rangeText(answer) != rangeText(question)) {  // the library states what it has read
+        close();
+        throw Error(errors::linkProtocol,
+                    {{"peer", peer()}, {"found", rangeText(answer)}, {"expected", rangeText(question)}});
+    }
     for (const std::string& name : names) {
         const Register& place = settings_.registers.at(name);
-        if (!is_together) readRange(place.address, place.address + place.bytes - 1, data);
-        const char* const begin = is_together ? data + (place.address - first) : data;
+        const char* const begin = answer.data + (place.address - question.first);
         values[name] = static_cast<double>(numberFrom(begin, place.bytes)) * place.scale;
     }
+}
+
+ControlValues FocasTransport::read(const std::vector<std::string>& names)
+{
+    const auto placeOf = [this](const std::string& name) -> const Register& { return settings_.registers.at(name); };
+    std::vector<std::string> sorted = names;
+    std::stable_sort(sorted.begin(), sorted.end(), [&](const std::string& a, const std::string& b) {
+        return placeOf(a).address < placeOf(b).address;
+    });
+    ControlValues values;
+    std::vector<std::string> together;
+    for (const std::string& name : sorted) {
+        if (!together.empty() &&
+            lastOf(placeOf(name)) - placeOf(together.front()).address >= static_cast<int>(focas::mostBytes)) {
+            readRange(together, values);
+            together.clear();
+        }
+        together.push_back(name);
+    }
+    if (!together.empty()) readRange(together, values);
     return values;
+}
+
+/// N_cor is rounded to what its register holds, and read back by the loop; all else is held as it is. Error
+/// linkValueNotHeld.
+std::int64_t FocasTransport::heldNumber(const std::string& name, double value)
+{
+    const Register& place = settings_.registers.at(name);
+    const double number = std::round(value / place.scale);
+    const double most = mostOf(place.bytes);
+    const bool is_near = name == correctedName || std::fabs(number * place.scale - value) < heldExactly;
+    if (number >= -most - 1 && number <= most && is_near) return static_cast<std::int64_t>(number);
+    close();
+    throw Error(errors::linkValueNotHeld, {{"name", name},
+                                           {"peer", peer()},
+                                           {"found", value},
+                                           {"minimum", std::min(place.scale * most, -place.scale * (most + 1))},
+                                           {"maximum", std::max(place.scale * most, -place.scale * (most + 1))}});
 }
 
 void FocasTransport::write(const std::string& name, double value)
 {
-    if (!handle_) fail(errors::linkLost, focas::writeName);
     const Register& place = settings_.registers.at(name);
-    const double number = std::round(value / place.scale);
-    const double most = mostOf(place.bytes);
-    if (!(number >= -most - 1 && number <= most)) {
-        close();
-        throw Error(errors::linkValueNotHeld, {{"name", name},
-                                               {"peer", peer()},
-                                               {"found", value},
-                                               {"minimum", std::min(place.scale * most, -place.scale * (most + 1))},
-                                               {"maximum", std::max(place.scale * most, -place.scale * (most + 1))}});
-    }
-    focas::PmcBlock block;
-    block.first = static_cast<unsigned short>(place.address);
-    block.last = static_cast<unsigned short>(place.address + place.bytes - 1);
-    putNumber(static_cast<std::int64_t>(number), place.bytes, block.data);
-    requireOk(focas::writeName, write_(*handle_, static_cast<unsigned short>(focas::headBytes + place.bytes), &block));
+    focas::PmcBlock question = blockOf(place.address, lastOf(place));
+    putNumber(heldNumber(name, value), place.bytes, question.data);
+    asked(focas::writeName, question, [](const focas::Library& library, unsigned short handle, focas::PmcBlock& block) {
+        return library.write(handle, lengthOf(block), &block);
+    });
 }
 
+/// After the calls that are still to come back, which may be the one that takes the handle.
 void FocasTransport::close() noexcept
 {
-    if (handle_ && free_) free_(*handle_);
-    handle_.reset();
+    if (!session_) return;
+    calls_.post([session = std::exchange(session_, nullptr)] {
+        if (session->handle) session->library->free(*session->handle);
+        session->handle.reset();
+    });
 }
 
 }  // namespace

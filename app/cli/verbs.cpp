@@ -3,6 +3,7 @@
 
 #include "app/cli/task_verb.h"
 #include "engine/archive/archive_kind.h"
+#include "engine/batch/recipe_kind.h"
 #include "engine/cad/step_kind.h"
 #include "engine/cad/task/compare_task.h"
 #include "engine/cad/task/draw_task.h"
@@ -71,6 +72,8 @@ const std::vector<Verb>& verbs()
             io::unite(kinds, verb.kinds);
             if (verb.task) tasks.push_back(verb.task);
         }
+        static const io::FileKind recipes = batch::recipeFiles(tasks);
+        kinds.push_back(&recipes);
         table.push_back(batchVerb(tasks));
         table.push_back(queueVerb(tasks));
         table.insert(table.begin() + 1, inspectVerb(kinds));

@@ -88,7 +88,9 @@ void work(const std::string& location, const batch::Tasks& tasks, const QueueOpt
                     {"refused", worked.refused},
                     {"put_back", worked.put_back}};
     };
-    addFailed(worked.refused, answer);
+    // Also those that were given up after their tries, by this worker or another.
+    archive::Archive archive = archive::Archive::open(location, archive::Access::Read, progress.quiet());
+    addFailed(queue::stateOf(archive).failed, answer);
 }
 
 void show(archive::Archive& archive, Answer& answer)

@@ -9,6 +9,7 @@
 #include "engine/archive/archive_state.h"
 #include "engine/archive/dates.h"
 #include "engine/archive/sql/random_uuid.h"
+#include "engine/core/utc_time.h"
 #include "engine/core/utf8.h"
 #include "engine/io/file.h"
 
@@ -52,20 +53,6 @@ void checkTexts(const ArchivedRecipe& recipe)
     requireText("recipe", recipe.content);
 }
 
-/// "2026-11-29T08:15:30.250Z"
-std::string timeNow()
-{
-    const auto now = std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now());
-    const std::int64_t sinceEpoch_ms = now.time_since_epoch().count();
-    const auto seconds = static_cast<std::time_t>(sinceEpoch_ms / 1000);
-    std::tm utc{};
-    gmtime_r(&seconds, &utc);
-    char buffer[40];
-    std::string time(buffer, std::strftime(buffer, sizeof buffer, "%Y-%m-%dT%H:%M:%S", &utc));
-    std::snprintf(buffer, sizeof buffer, ".%03dZ", static_cast<int>(sinceEpoch_ms % 1000));
-    return time + buffer;
-}
-
 /// Puts rows at the end of the chain of one writer.
 class Writing {
 public:
@@ -74,7 +61,7 @@ public:
     {
         lockForWriting(connection_);
         tail_ = tailOf(connection_, writer_);
-        recordedAt_ = timeNow();
+        recordedAt_ = utcNow();
     }
 
     bool holds(const std::string& key)

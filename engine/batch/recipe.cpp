@@ -6,13 +6,13 @@
 #include <system_error>
 
 #include "engine/batch/batch_codes.h"
-#include "engine/batch/recipe_fields.h"
 #include "engine/core/json.h"
 #include "engine/core/version.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/json/json_fields.h"
 #include "engine/task/asked_state.h"
+#include "engine/task/task_fields.h"
 
 namespace lathelier::batch {
 namespace {
@@ -41,9 +41,9 @@ std::vector<RecipeFile> filesBehind(const task::Input& input, const project::Pan
 
 Values readingOf(const task::Task& task, const project::Source& source)
 {
-    Values reading = readingDefaults(task);
+    Values reading = task::readingDefaults(task);
     for (const auto& [key, value] : source.import) set(reading, key, value);
-    return asRead(readingFields(task), reading);
+    return task::asRead(task::readingFields(task), reading);
 }
 
 bool isPlace(const FieldInfo& info, const Value& value)
@@ -60,7 +60,7 @@ bool isPlace(const FieldInfo& info, const Value& value)
 Values parametersFrom(const task::Task& task, const project::PanelState& state)
 {
     Values parameters;
-    const std::vector<FieldInfo> fields = questionFields(task);
+    const std::vector<FieldInfo> fields = task::questionFields(task);
     for (const FieldInfo& info : fields) {
         const Value* const given = find(state.parameters, info.key);
         const Value& standard = *find(task.defaults, info.key);
@@ -69,7 +69,7 @@ Values parametersFrom(const task::Task& task, const project::PanelState& state)
             throw Error(errors::recipeNamesPlace, {{"parameter", task::optionName(info.key)}, {"found", value}});
         set(parameters, info.key, value);
     }
-    return asRead(fields, parameters);
+    return task::asRead(fields, parameters);
 }
 
 bool isVaried(const task::Input& input, const project::PanelState& state)
@@ -148,13 +148,13 @@ Recipe recipeOf(const task::Task& task, const project::PanelState& state, const 
 std::string identityOf(const Recipe& recipe)
 {
     Json inputs = Json::object();
-    const std::vector<FieldInfo> reading = readingFields(*recipe.task);
+    const std::vector<FieldInfo> reading = task::readingFields(*recipe.task);
     for (const FixedInput& input : recipe.inputs)
         inputs[input.role] = {{"content", contentOf(input)}, {"reading", io::objectOf(reading, input.reading)}};
     std::vector<std::string> varied = recipe.varied;
     std::sort(varied.begin(), varied.end());
     const Json whole{{"task", recipe.task->key},
-                     {"parameters", io::objectOf(questionFields(*recipe.task), recipe.parameters)},
+                     {"parameters", io::objectOf(task::questionFields(*recipe.task), recipe.parameters)},
                      {"reading", io::objectOf(reading, recipe.reading)},
                      {"varied", varied},
                      {"inputs", inputs},

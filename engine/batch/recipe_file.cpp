@@ -5,9 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/batch/batch_codes.h"
-#include "engine/batch/recipe_fields.h"
 #include "engine/io/file.h"
-#include "engine/io/json/json_fields.h"
+#include "engine/io/json/json_strict.h"
+#include "engine/io/relative_path.h"
+#include "engine/task/task_fields.h"
 
 namespace lathelier::batch {
 namespace {
@@ -16,18 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t mostInputsOfRecipe = 1000;
 constexpr std::size_t digestLength = 64;
-
-std::string relativeTo(const fs::path& folder, const std::string& path)
-{
-    const fs::path base = fs::absolute(folder.empty() ? fs::path(".") : folder).lexically_normal();
-    const std::string relative = fs::absolute(path).lexically_normal().lexically_relative(base).generic_string();
-    return relative.empty() ? path : relative;
-}
-
-std::string openable(const std::string& folder, const std::string& stored)
-{
-    return (fs::path(folder) / stored).lexically_normal().string();
-}
 
 [[noreturn]] void refuseMember(const io::JsonCursor& member, const std::string& key, const Value& expected)
 {
@@ -39,24 +28,12 @@ std::string openable(const std::string& folder, const std::string& stored)
 /// Only these members.
 void requireMembers(const io::JsonCursor& object, const std::vector<std::string>& known)
 {
-    object.members(io::mostJsonMembers, [&](const std::string& key, const io::JsonCursor& member) {
-        if (std::find(known.begin(), known.end(), key) != known.end()) return;
-        std::string names;
-        for (const std::string& name : known) names += (names.empty() ? "" : " | ") + name;
-        refuseMember(member, key, names);
-    });
+    io::requireMembers(object, known, errors::recipeMemberUnknown);
 }
 
 Values described(const io::JsonCursor& object, const std::vector<FieldInfo>& fields, const Value& expected)
 {
-    Notes notes;
-    Values values = io::valuesOf(object, fields, notes);
-    if (notes.empty()) return values;
-    const Values& unknown = notes.front().values;
-    Error error(errors::recipeMemberUnknown, {{"expected", expected}});
-    for (const char* name : {"line", "column", "key"})
-        if (const Value* const value = find(unknown, name)) error.with(name, *value);
-    throw Error(error);
+    return io::strictValuesOf(object, fields, expected, errors::recipeMemberUnknown);
 }
 
 std::string digestFrom(const io::JsonCursor& member)
@@ -72,7 +49,7 @@ RecipeFile fileFrom(const io::JsonCursor& object, const std::string& folder)
 {
     const io::JsonCursor path = object.at("path", LT_TEXT("Engine", "the path of a file"));
     if (path.string().empty()) path.reject(LT_TEXT("Engine", "the path of a file"));
-    return {openable(folder, path.string()), digestFrom(object.at("sha256", LT_TEXT("Engine", "a SHA-256")))};
+    return {io::openablePath(folder, path.string()), digestFrom(object.at("sha256", LT_TEXT("Engine", "a SHA-256")))};
 }
 
 const task::Task& taskFrom(const io::JsonCursor& member, const Tasks& tasks)
@@ -114,7 +91,7 @@ FixedInput fixedFrom(const io::JsonCursor& object, const std::string& role, cons
             input.files.push_back(fileFrom(other, folder));
         });
     if (const auto reading = object.member("reading"))
-        input.reading = described(*reading, readingFields(task), LT_TEXT("Engine", "a reading option"));
+        input.reading = described(*reading, task::readingFields(task), LT_TEXT("Engine", "a reading option"));
     return input;
 }
 
@@ -163,14 +140,14 @@ void requireSchema(const io::JsonCursor& root)
 
 Json fileAsJson(const RecipeFile& file, const std::string& folder)
 {
-    return {{"path", relativeTo(folder, file.path)}, {"sha256", file.sha256}};
+    return {{"path", io::relativePath(folder, file.path)}, {"sha256", file.sha256}};
 }
 
 }  // namespace
 
 Json toJson(const Recipe& recipe, const std::string& folder)
 {
-    const std::vector<FieldInfo> reading = readingFields(*recipe.task);
+    const std::vector<FieldInfo> reading = task::readingFields(*recipe.task);
     Json inputs = Json::object();
     for (const FixedInput& input : recipe.inputs) {
         Json& member = inputs[input.role] = fileAsJson(input.files.front(), folder);
@@ -184,7 +161,7 @@ Json toJson(const Recipe& recipe, const std::string& folder)
               {"program_version", recipe.version},
               {"inputs", std::move(inputs)},
               {"varied", recipe.varied},
-              {"parameters", io::objectOf(questionFields(*recipe.task), recipe.parameters)},
+              {"parameters", io::objectOf(task::questionFields(*recipe.task), recipe.parameters)},
               {"reading", io::objectOf(reading, recipe.reading)}};
     if (!recipe.shop.name.empty())
         json["shop"] = {{"name", recipe.shop.name}};
@@ -237,9 +214,9 @@ Recipe readRecipe(const std::string& text, const std::string& folder, const Task
     recipe.varied = variedFrom(root.at("varied", LT_TEXT("Engine", "a list of roles")), *recipe.task);
     if (const auto parameters = root.member("parameters"))
         recipe.parameters =
-            described(*parameters, questionFields(*recipe.task), LT_TEXT("Engine", "a parameter of the task"));
+            described(*parameters, task::questionFields(*recipe.task), LT_TEXT("Engine", "a parameter of the task"));
     if (const auto reading = root.member("reading"))
-        recipe.reading = described(*reading, readingFields(*recipe.task), LT_TEXT("Engine", "a reading option"));
+        recipe.reading = described(*reading, task::readingFields(*recipe.task), LT_TEXT("Engine", "a reading option"));
     if (const auto shop = root.member("shop")) recipe.shop = shopFrom(*shop, folder);
     return recipe;
 }

@@ -63,9 +63,6 @@ public:
     /// Whether D or L of these values is to come from the program.
     bool needsProgram(const ControlValues& values) const;
 
-    const project::PanelState& question() const { return question_; }
-    const Limits& limits() const { return limits_; }
-
 private:
     std::optional<Reply> refused(const ControlValues& values) const;
     Reply computed(const ControlValues& values, const Progress& progress);

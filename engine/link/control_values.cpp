@@ -72,11 +72,4 @@ std::optional<State> stateOfNumber(std::int64_t number)
     return std::nullopt;
 }
 
-std::optional<State> stateOfName(const std::string& name)
-{
-    for (const StateFacts& one : states())
-        if (name == one.name) return one.state;
-    return std::nullopt;
-}
-
 }  // namespace lathelier::link

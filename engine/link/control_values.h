@@ -60,7 +60,6 @@ enum class State {
 /// "ok", "no_stable_speed", … as the log and JSON have it.
 const char* nameOf(State state);
 std::optional<State> stateOfNumber(std::int64_t number);
-std::optional<State> stateOfName(const std::string& name);
 
 /// "no stable speed in the range", as a screen shows it.
 Text textOf(State state);

@@ -1,8 +1,5 @@
 #include "engine/link/exchange.h"
 
-#include <fmt/chrono.h>
-
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/quantities.h"
@@ -133,14 +130,6 @@ Log readLog(const std::string& path, const Progress& progress)
     } catch (Error& error) {
         throw error.with("path", path);
     }
-}
-
-std::string timeNow()
-{
-    const auto now = std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now());
-    const auto milliseconds = now.time_since_epoch().count() % 1000;
-    return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03d}Z", fmt::gmtime(std::chrono::system_clock::to_time_t(now)),
-                       milliseconds);
 }
 
 }  // namespace lathelier::link

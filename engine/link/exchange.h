@@ -63,7 +63,4 @@ Log readLog(const std::string& path, const Progress& progress);
 /// The same of the text of a log, without the path.
 std::vector<LoggedExchange> exchangesOf(std::string_view log, const Progress& progress);
 
-/// UTC now, "2026-11-29T05:40:12.345Z".
-std::string timeNow();
-
 }  // namespace lathelier::link

@@ -7,12 +7,12 @@
 #include "engine/core/fields_make.h"
 #include "engine/core/units.h"
 #include "engine/io/file.h"
-#include "engine/io/import.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/json/json_strict.h"
 #include "engine/io/relative_path.h"
 #include "engine/link/link_codes.h"
 #include "engine/stability/task/speed_task.h"
+#include "engine/task/task_fields.h"
 
 namespace lathelier::link {
 namespace {
@@ -20,24 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const auto& unknownMember = errors::linkMemberUnknown;
-
-std::vector<FieldInfo> parameterFields()
-{
-    std::vector<FieldInfo> all = stability::speedTask().fields;
-    std::erase_if(all, [](const FieldInfo& info) { return info.is_kept; });
-    return all;
-}
-
-std::vector<FieldInfo> importFields()
-{
-    std::vector<FieldInfo> all = infos<io::ImportOptions>();
-    for (const task::Input& input : stability::speedTask().inputs)
-        for (const io::FileKind* kind : input.kinds)
-            for (const FieldInfo& info : kind->reading)
-                if (std::none_of(all.begin(), all.end(), [&](const FieldInfo& one) { return one.key == info.key; }))
-                    all.push_back(info);
-    return all;
-}
 
 std::vector<std::string> inputRoles()
 {
@@ -69,12 +51,12 @@ void requireAssistSchema(const io::JsonCursor& root)
     if (version.integer() != assistVersion) version.reject(std::int64_t{assistVersion});
 }
 
-std::map<std::string, Register> registersFrom(const io::JsonCursor& object)
+Registers registersFrom(const io::JsonCursor& object)
 {
     std::vector<std::string> known = readNames();
     known.insert(known.end(), writtenNames().begin(), writtenNames().end());
     io::requireMembers(object, known, unknownMember);
-    std::map<std::string, Register> all;
+    Registers all;
     object.members(io::mostJsonMembers, [&](const std::string& name, const io::JsonCursor& member) {
         const auto made = strictly<Register>(member);
         if (made.bytes != 1 && made.bytes != 2 && made.bytes != 4)
@@ -86,6 +68,10 @@ std::map<std::string, Register> registersFrom(const io::JsonCursor& object)
     for (const char* name :
          {requestName, runningName, diameterName, speedName, correctedName, stateName, answeredName, heartbeatName})
         if (all.count(name) == 0) object.at(name, LT_TEXT("Engine", "a register"));
+    if (const auto name = sharedRegister(all))
+        object.at(*name, {}).reject(LT_TEXT("Engine", "bytes of its own: what is written there changes another value"));
+    if (const auto one = narrowRegister(all))
+        object.at(one->name, {}).reject(LT_TEXT("Engine", "bytes and a scale that hold each number that is written"));
     return all;
 }
 
@@ -109,8 +95,8 @@ void inputsFrom(const io::JsonCursor& object, const std::string& folder, project
         if (path.string().empty()) path.reject(LT_TEXT("Engine", "the path of a file"));
         source.path = io::openablePath(folder, path.string());
         if (const auto reading = member.member("reading"))
-            source.import =
-                io::strictValuesOf(*reading, importFields(), LT_TEXT("Engine", "a reading option"), unknownMember);
+            source.import = io::strictValuesOf(*reading, task::readingFields(stability::speedTask()),
+                                               LT_TEXT("Engine", "a reading option"), unknownMember);
     });
 }
 
@@ -244,7 +230,7 @@ LinkConfig readConfig(const std::string& text, const std::string& folder)
     LinkConfig config;
     if (const auto inputs = root.member("inputs")) inputsFrom(*inputs, folder, config.question);
     if (const auto parameters = root.member("parameters"))
-        config.question.parameters = io::strictValuesOf(*parameters, parameterFields(),
+        config.question.parameters = io::strictValuesOf(*parameters, task::questionFields(stability::speedTask()),
                                                         LT_TEXT("Engine", "a parameter of speed"), unknownMember);
     config.limits = strictly<Limits>(root.at("limits", LT_TEXT("Engine", "the limits of the machine")));
     config.program = partOf<OfProgram>(root, "program");
@@ -274,16 +260,18 @@ std::string textOf(const LinkConfig& config, const std::string& folder)
     for (const auto& [role, source] : config.question.inputs) {
         if (source.path.empty()) continue;
         inputs[role] = {{"path", io::relativePath(folder, source.path)},
-                        {"reading", io::objectOf(importFields(), source.import)}};
+                        {"reading", io::objectOf(task::readingFields(stability::speedTask()), source.import)}};
     }
     const auto object = [](const auto& part) {
         using P = std::decay_t<decltype(part)>;
         return io::objectOf(infos<P>(), toValues(part));
     };
-    Json json{
-        {"schema", assistSchema},          {"schema_version", assistVersion},
-        {"inputs", std::move(inputs)},     {"parameters", io::objectOf(parameterFields(), config.question.parameters)},
-        {"limits", object(config.limits)}, {"loop", object(config.loop)}};
+    Json json{{"schema", assistSchema},
+              {"schema_version", assistVersion},
+              {"inputs", std::move(inputs)},
+              {"parameters", io::objectOf(task::questionFields(stability::speedTask()), config.question.parameters)},
+              {"limits", object(config.limits)},
+              {"loop", object(config.loop)}};
     if (config.program) json["program"] = object(*config.program);
     if (config.loopback) json["loopback"] = object(*config.loopback);
     if (config.linuxcnc) json["linuxcnc"] = object(*config.linuxcnc);

@@ -13,7 +13,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +22,7 @@
 #include "engine/core/progress.h"
 #include "engine/link/assistant.h"
 #include "engine/link/link_loop.h"
+#include "engine/link/registers.h"
 
 namespace lathelier::link {
 
@@ -50,18 +50,11 @@ struct LinuxCncSettings {
     std::string program_password = "EMC";  ///< that linuxcncrsh asks for on this port; no secret
 };
 
-/// Where a value stands in the R area of a PMC: whole numbers of 1, 2 or 4 bytes, little-endian, with sign.
-struct Register {
-    int address = 0;   ///< of its first byte: R1000
-    int bytes = 4;     ///< 1, 2 or 4
-    double scale = 1;  ///< value = number times scale
-};
-
 struct FocasSettings {
-    std::string library = "libfwlib32.so";      ///< the vendor's, as the user has it
-    std::string host;                           ///< of the control
-    int port = 8193;                            ///< likewise
-    std::map<std::string, Register> registers;  ///< by name, see control_values.h
+    std::string library = "libfwlib32.so";  ///< the vendor's, as the user has it
+    std::string host;                       ///< of the control
+    int port = 8193;                        ///< likewise
+    Registers registers;                    ///< by name, see control_values.h
 };
 
 struct LinkConfig {

@@ -6,6 +6,7 @@
 #include <random>
 #include <thread>
 
+#include "engine/core/utc_time.h"
 #include "engine/link/link_codes.h"
 
 namespace lathelier::link {
@@ -64,7 +65,7 @@ void LinkLoop::tell(LinkEvent event, const std::optional<Error>& error)
     if (!tell_) return;
     LogEntry entry;
     entry.event = event;
-    entry.time = timeNow();
+    entry.time = utcNow();
     entry.peer = transport_.peer();
     entry.is_verified = transport_.isVerified();
     entry.error = error;
@@ -181,7 +182,7 @@ void LinkLoop::exchange(std::int64_t request, const Progress& progress)
 {
     const auto begin = std::chrono::steady_clock::now();
     Exchange made;
-    made.time = timeNow();
+    made.time = utcNow();
     made.request = request;
     made.read = readAll();
     if (made.read.at(requestName) != static_cast<double>(request)) return;  // the next look takes the other one

@@ -16,13 +16,6 @@ namespace lathelier::link {
 namespace {
 
 constexpr std::chrono::milliseconds busyPause{5};
-constexpr double heldExactly = 1e-6;  // of whole numbers, after a scale such as 0.1
-
-/// Whole numbers with sign that so many bytes hold.
-double mostOf(int bytes)
-{
-    return std::ldexp(1.0, 8 * bytes - 1) - 1;
-}
 
 std::int64_t numberFrom(const char* data, int bytes)
 {
@@ -36,11 +29,6 @@ void putNumber(std::int64_t number, int bytes, char* data)
 {
     for (int i = 0; i < bytes; ++i)
         data[i] = static_cast<char>(static_cast<unsigned char>((static_cast<std::uint64_t>(number) >> (8 * i)) & 0xFF));
-}
-
-int lastOf(const Register& place)
-{
-    return place.address + place.bytes - 1;
 }
 
 focas::PmcBlock blockOf(int first, int last)
@@ -101,9 +89,7 @@ private:
     using Ask = short (*)(const focas::Library& library, unsigned short handle, focas::PmcBlock& block);
 
     [[noreturn]] void fail(const ErrorCode& code, const Value& reason);
-    void requireFit();
-    void requireApart();
-    std::int64_t heldNumber(const std::string& name, double value);
+    [[noreturn]] void refuseValue(const std::string& name, double value);
     focas::PmcBlock asked(const char* name, const focas::PmcBlock& block, Ask ask);
     void readRange(const std::vector<std::string>& names, ControlValues& values);
 
@@ -119,34 +105,13 @@ void FocasTransport::fail(const ErrorCode& code, const Value& reason)
     throw Error(code, {{"peer", peer()}, {"reason", reason}});
 }
 
-/// What is written whatever is asked, and the number of any request that the control can state.
-void FocasTransport::requireFit()
-{
-    heldNumber(heartbeatName, static_cast<double>(mostCount));
-    heldNumber(stateName, static_cast<double>(State::Ok));
-    heldNumber(stateName, static_cast<double>(State::NotModelled));
-    const Register& request = settings_.registers.at(requestName);
-    const double most_request = std::fabs(request.scale) * mostOf(request.bytes);
-    heldNumber(answeredName, 1);
-    heldNumber(answeredName, std::floor(std::min(static_cast<double>(mostCount), most_request)));
-}
-
-/// Else a state that is written would change N_cor after it was read back, or a value of the control.
-void FocasTransport::requireApart()
-{
-    for (const std::string& written : writtenNames()) {
-        const Register& place = settings_.registers.at(written);
-        for (const auto& [name, other] : settings_.registers)
-            if (name != written && other.address <= lastOf(place) && place.address <= lastOf(other))
-                fail(errors::linkNotFound, LT_TEXT("Engine", "a register that is written shares a byte with another"));
-    }
-}
-
 void FocasTransport::open()
 {
     close();
-    requireFit();
-    requireApart();
+    // A file was refused by the same rules: see readConfig().
+    if (const auto name = sharedRegister(settings_.registers))
+        fail(errors::linkNotFound, LT_TEXT("Engine", "a register that is written shares a byte with another"));
+    if (const auto one = narrowRegister(settings_.registers)) refuseValue(one->name, one->value);
     const auto session = std::make_shared<Session>();
     try {
         session->library = focas::sharedLibrary(settings_.library);
@@ -191,7 +156,7 @@ focas::PmcBlock FocasTransport::asked(const char* name, const focas::PmcBlock& b
 void FocasTransport::readRange(const std::vector<std::string>& names, ControlValues& values)
 {
     int last = 0;
-    for (const std::string& name : names) last = std::max(last, lastOf(settings_.registers.at(name)));
+    for (const std::string& name : names) last = std::max(last, settings_.registers.at(name).last());
     const focas::PmcBlock question = blockOf(settings_.registers.at(names.front()).address, last);
     const focas::PmcBlock answer = asked(
         focas::readName, question, [](const focas::Library& library, unsigned short handle, focas::PmcBlock& block) {
@@ -221,7 +186,7 @@ ControlValues FocasTransport::read(const std::vector<std::string>& names)
     std::vector<std::string> together;
     for (const std::string& name : sorted) {
         if (!together.empty() &&
-            lastOf(placeOf(name)) - placeOf(together.front()).address >= static_cast<int>(focas::mostBytes)) {
+            placeOf(name).last() - placeOf(together.front()).address >= static_cast<int>(focas::mostBytes)) {
             readRange(together, values);
             together.clear();
         }
@@ -231,16 +196,11 @@ ControlValues FocasTransport::read(const std::vector<std::string>& names)
     return values;
 }
 
-/// N_cor is rounded to what its register holds, and read back by the loop; all else is held as it is. Error
-/// linkValueNotHeld.
-std::int64_t FocasTransport::heldNumber(const std::string& name, double value)
+void FocasTransport::refuseValue(const std::string& name, double value)
 {
-    const Register& place = settings_.registers.at(name);
-    const double number = std::round(value / place.scale);
-    const double most = mostOf(place.bytes);
-    const bool is_near = name == correctedName || std::fabs(number * place.scale - value) < heldExactly;
-    if (number >= -most - 1 && number <= most && is_near) return static_cast<std::int64_t>(number);
     close();
+    const Register& place = settings_.registers.at(name);
+    const double most = greatestNumber(place.bytes);
     throw Error(errors::linkValueNotHeld, {{"name", name},
                                            {"peer", peer()},
                                            {"found", value},
@@ -251,8 +211,10 @@ std::int64_t FocasTransport::heldNumber(const std::string& name, double value)
 void FocasTransport::write(const std::string& name, double value)
 {
     const Register& place = settings_.registers.at(name);
-    focas::PmcBlock question = blockOf(place.address, lastOf(place));
-    putNumber(heldNumber(name, value), place.bytes, question.data);
+    focas::PmcBlock question = blockOf(place.address, place.last());
+    const std::optional<std::int64_t> number = heldNumber(name, place, value);
+    if (!number) refuseValue(name, value);
+    putNumber(*number, place.bytes, question.data);
     asked(focas::writeName, question, [](const focas::Library& library, unsigned short handle, focas::PmcBlock& block) {
         return library.write(handle, lengthOf(block), &block);
     });

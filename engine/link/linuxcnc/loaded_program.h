@@ -11,7 +11,7 @@ namespace lathelier::link {
 /// Its path; nothing: none is loaded, or nobody answers within the time-out.
 std::optional<std::string> programOfLinuxCnc(const LinuxCncSettings& settings, double timeout_ms);
 
-/// The path in what linuxcncrsh answers to "get program": "PROGRAM /home/cnc/shaft.ngc", "PROGRAM NONE".
+/// The path in what linuxcncrsh answers to "get program": "PROGRAM shaft.ngc", "PROGRAM NONE".
 std::optional<std::string> programIn(const std::string& answer);
 
 }  // namespace lathelier::link

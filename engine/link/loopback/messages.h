@@ -3,7 +3,7 @@
 //   {"id": 1, "do": "hello", "version": 1}            {"id": 1, "control": "lathelier-simulator", "version": 1}
 //   {"id": 2, "do": "read", "names": ["request"]}     {"id": 2, "values": {"request": 7}}
 //   {"id": 3, "do": "write", "name": "n_cor_rpm", "value": 3237}       {"id": 3, "written": true}
-//   {"id": 4, "do": "program"}                        {"id": 4, "program": "/home/cnc/shaft.ngc"}, null: none
+//   {"id": 4, "do": "program"}                        {"id": 4, "program": "shaft.ngc"}, null: none
 // What cannot be done: {"id": 3, "error": "taken" | "not_understood" | "not_allowed"}; the link stays open.
 #pragma once
 

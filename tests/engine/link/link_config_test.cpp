@@ -65,6 +65,48 @@ TEST(LinkConfig, needs_every_register_that_the_rules_of_the_link_use)
               "malformed");
 }
 
+/// The registers of the manual, with another one in place of that of a name.
+std::string withRegister(const std::string& name, const std::string& place)
+{
+    std::string registers;
+    for (const auto& [one, usual] : {std::pair<std::string, std::string>{"request", R"({"address": 1000, "bytes": 2})"},
+                                     {"running", R"({"address": 1002, "bytes": 1})"},
+                                     {"diameter_mm", R"({"address": 1004, "bytes": 4, "scale": 0.001})"},
+                                     {"cutting_speed_m_min", R"({"address": 1012, "bytes": 4, "scale": 0.1})"},
+                                     {"n_cor_rpm", R"({"address": 1100, "bytes": 4})"},
+                                     {"state", R"({"address": 1104, "bytes": 2})"},
+                                     {"answered", R"({"address": 1106, "bytes": 2})"},
+                                     {"heartbeat", R"({"address": 1108, "bytes": 2})"}})
+        registers.append(registers.empty() ? "" : ", ").append("\"" + one + "\": " + (one == name ? place : usual));
+    return configText(R"("focas": {"host": "a", "registers": {)" + registers + "}}");
+}
+
+TEST(LinkConfig, takes_the_registers_of_the_manual)
+{
+    EXPECT_EQ(readConfig(withRegister("", ""), ".").focas->registers.size(), 8U);
+}
+
+TEST(LinkConfig, refuses_written_registers_that_share_a_byte_by_their_place)
+{
+    for (const char* place : {R"({"address": 1103, "bytes": 2})", R"({"address": 1001, "bytes": 2})"}) {
+        const Error error = refusalOf(withRegister("state", place));
+        EXPECT_EQ(std::string(error.code().key), "malformed") << place;
+        EXPECT_TRUE(find(error.values(), "line")) << place;
+    }
+    EXPECT_EQ(std::string(refusalOf(withRegister("diameter_mm", R"({"address": 1099, "bytes": 2})")).code().key),
+              "malformed");
+}
+
+TEST(LinkConfig, refuses_registers_that_cannot_hold_what_is_written)
+{
+    EXPECT_EQ(std::string(refusalOf(withRegister("heartbeat", R"({"address": 1108, "bytes": 1})")).code().key),
+              "malformed");
+    EXPECT_EQ(std::string(refusalOf(withRegister("state", R"({"address": 1104, "bytes": 2, "scale": 10})")).code().key),
+              "malformed");
+    EXPECT_EQ(std::string(refusalOf(withRegister("answered", R"({"address": 1106, "bytes": 1})")).code().key),
+              "malformed");
+}
+
 TEST(LinkConfig, a_link_that_is_not_configured_is_refused)
 {
     const LinkConfig config = readConfig(configText(""), ".");

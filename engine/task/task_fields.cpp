@@ -1,4 +1,4 @@
-#include "engine/batch/recipe_fields.h"
+#include "engine/task/task_fields.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -6,19 +6,19 @@
 #include "engine/io/import.h"
 #include "engine/io/json/json_fields.h"
 
-namespace lathelier::batch {
+namespace lathelier::task {
 
-std::vector<FieldInfo> questionFields(const task::Task& task)
+std::vector<FieldInfo> questionFields(const Task& task)
 {
     std::vector<FieldInfo> fields = task.fields;
     std::erase_if(fields, [](const FieldInfo& info) { return info.is_kept; });
     return fields;
 }
 
-std::vector<FieldInfo> readingFields(const task::Task& task)
+std::vector<FieldInfo> readingFields(const Task& task)
 {
     std::vector<FieldInfo> all = infos<io::ImportOptions>();
-    for (const task::Input& input : task.inputs)
+    for (const Input& input : task.inputs)
         for (const io::FileKind* kind : input.kinds)
             for (const FieldInfo& info : kind->reading)
                 if (std::none_of(all.begin(), all.end(), [&](const FieldInfo& one) { return one.key == info.key; }))
@@ -26,10 +26,10 @@ std::vector<FieldInfo> readingFields(const task::Task& task)
     return all;
 }
 
-Values readingDefaults(const task::Task& task)
+Values readingDefaults(const Task& task)
 {
     Values all = toValues(io::ImportOptions{});
-    for (const task::Input& input : task.inputs)
+    for (const Input& input : task.inputs)
         for (const io::FileKind* kind : input.kinds)
             for (const auto& [key, value] : kind->reading_defaults) set(all, key, value);
     return all;
@@ -42,4 +42,4 @@ Values asRead(const std::vector<FieldInfo>& fields, const Values& values)
     return io::valuesOf(document.root(), fields, unused);
 }
 
-}  // namespace lathelier::batch
+}  // namespace lathelier::task

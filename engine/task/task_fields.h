@@ -1,4 +1,4 @@
-// Parameters and reading options of a recipe as the task describes them.
+// Parameters and reading options as a file keeps them beside a task: recipes, configurations of links.
 #pragma once
 
 #include <vector>
@@ -7,18 +7,18 @@
 #include "engine/core/json.h"
 #include "engine/task/task.h"
 
-namespace lathelier::batch {
+namespace lathelier::task {
 
 /// The question without what windows alone keep.
-std::vector<FieldInfo> questionFields(const task::Task& task);
+std::vector<FieldInfo> questionFields(const Task& task);
 
 /// Reading options of all kinds of file of the task.
-std::vector<FieldInfo> readingFields(const task::Task& task);
+std::vector<FieldInfo> readingFields(const Task& task);
 
 /// Their defaults.
-Values readingDefaults(const task::Task& task);
+Values readingDefaults(const Task& task);
 
 /// The values that the fields describe, in the types that a file gives them.
 Values asRead(const std::vector<FieldInfo>& fields, const Values& values);
 
-}  // namespace lathelier::batch
+}  // namespace lathelier::task

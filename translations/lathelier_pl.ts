@@ -17615,6 +17615,30 @@
         <source>FANUC (FOCAS2)</source>
         <translation>FANUC (FOCAS2)</translation>
     </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Receptury</translation>
+    </message>
+    <message>
+        <source>a register that is written shares a byte with another</source>
+        <translation>rejestr, do którego się pisze, dzieli bajt z innym</translation>
+    </message>
+    <message>
+        <source>no answer within the time-out</source>
+        <translation>brak odpowiedzi w limicie czasu</translation>
+    </message>
+    <message>
+        <source>bytes of its own: what is written there changes another value</source>
+        <translation>własne bajty: zapis zmienia tu inną wartość</translation>
+    </message>
+    <message>
+        <source>bytes and a scale that hold each number that is written</source>
+        <translation>bajty i skala, które mieszczą każdą zapisywaną liczbę</translation>
+    </message>
+    <message>
+        <source>1 to 24 letters, digits, hyphens or underscores, a letter first</source>
+        <translation>od 1 do 24 liter, cyfr, łączników albo podkreśleń, litera na początku</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

@@ -19,6 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t longestComponent = 24;
+
 const auto& unknownMember = errors::linkMemberUnknown;
 
 std::vector<std::string> inputRoles()
@@ -41,6 +43,15 @@ std::optional<P> partOf(const io::JsonCursor& root, const char* key)
 {
     const auto member = root.member(key);
     return member ? std::optional(strictly<P>(*member)) : std::nullopt;
+}
+
+/// That HAL takes with the longest name of a pin behind it.
+bool isComponentName(const std::string& name)
+{
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    return !name.empty() && name.size() <= longestComponent && is_letter(name.front()) &&
+           std::all_of(name.begin(), name.end(),
+                       [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_'; });
 }
 
 void requireAssistSchema(const io::JsonCursor& root)
@@ -237,6 +248,10 @@ LinkConfig readConfig(const std::string& text, const std::string& folder)
     config.loop = partOf<LoopFields>(root, "loop").value_or(LoopFields{});
     config.loopback = partOf<LoopbackSettings>(root, "loopback");
     config.linuxcnc = partOf<LinuxCncSettings>(root, "linuxcnc");
+    if (config.linuxcnc && !isComponentName(config.linuxcnc->component))
+        root.at("linuxcnc", {})
+            .at("component", {})
+            .reject(LT_TEXT("Engine", "1 to 24 letters, digits, hyphens or underscores, a letter first"));
     if (const auto focas = root.member("focas")) config.focas = focasFrom(*focas);
     return config;
 }

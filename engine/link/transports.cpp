@@ -21,15 +21,15 @@ const Settings& needed(const std::optional<Settings>& settings, const char* kind
 const std::vector<TransportKind>& transportKinds()
 {
     static const std::vector<TransportKind> all{
-        {"loopback", LT_TEXT("Engine", "Simulated control"), true,
+        {"loopback", LT_TEXT("Engine", "Simulated control"), true, true,
          [](const LinkConfig& config) {
              return loopbackTransport(needed(config.loopback, "loopback"), config.loop.timeout_ms);
          }},
-        {"linuxcnc", LT_TEXT("Engine", "LinuxCNC"), true,
+        {"linuxcnc", LT_TEXT("Engine", "LinuxCNC"), true, false,
          [](const LinkConfig& config) {
              return halTransport(needed(config.linuxcnc, "linuxcnc"), config.loop.timeout_ms);
          }},
-        {"focas", LT_TEXT("Engine", "FANUC (FOCAS2)"), false,
+        {"focas", LT_TEXT("Engine", "FANUC (FOCAS2)"), false, true,
          [](const LinkConfig& config) {
              return focasTransport(needed(config.focas, "focas"), config.loop.timeout_ms);
          }},

@@ -11,9 +11,10 @@
 namespace lathelier::link {
 
 struct TransportKind {
-    const char* key;   ///< "loopback"; also that of its part of ASSIST.json
-    Text title;        ///< as a window shows it
-    bool is_verified;  ///< on a real control, or on what it stands for
+    const char* key;     ///< "loopback"; also that of its part of ASSIST.json
+    Text title;          ///< as a window shows it
+    bool is_verified;    ///< on a real control, or on what it stands for
+    bool is_for_window;  ///< false: the control starts and ends the program that is linked to it
     /// Errors: linkNotConfigured.
     std::unique_ptr<Transport> (*make)(const LinkConfig& config);
 };

@@ -45,7 +45,8 @@ LinkBar::LinkBar(QWidget* parent)
     line_->setObjectName("linkLine");
     line_->setWordWrap(true);
     line_->setMinimumWidth(1);
-    for (const link::TransportKind& kind : link::transportKinds()) kinds_->addItem(screenText(kind.title), kind.key);
+    for (const link::TransportKind& kind : link::transportKinds())
+        if (kind.is_for_window) kinds_->addItem(screenText(kind.title), kind.key);
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(line_, 0, 0, 1, 5);
@@ -169,8 +170,9 @@ void LinkBar::retranslate()
     simulator_->setText(tr("Simulator …"));
     simulator_->setToolTip(tr("Open a control in a window of its own, to see both sides of the link"));
     kinds_->setAccessibleName(tr("Kind of the control"));
-    for (int i = 0; i < kinds_->count(); ++i)
-        kinds_->setItemText(i, screenText(link::transportKinds()[static_cast<std::size_t>(i)].title));
+    for (const link::TransportKind& kind : link::transportKinds())
+        if (const int place = kinds_->findData(kind.key); place >= 0)
+            kinds_->setItemText(place, screenText(kind.title));
     showState();
 }
 

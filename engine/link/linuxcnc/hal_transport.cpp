@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #define ULAPI  // a program of its own, not a part of the real-time side
@@ -41,10 +43,13 @@ bool find(void* library, const char* name, Function& function)
     return function != nullptr;
 }
 
-/// Number of HAL's shared memory; below 0: LinuxCNC does not run.
-int halMemory()
+/// How many programs have HAL's memory of this number; 0: it is given up, or it was never there. A LinuxCNC that is
+/// killed leaves its memory with nobody.
+unsigned long usersOf(int memory)
 {
-    return ::shmget(halMemoryKey, 0, 0);
+    shmid_ds state{};
+    if (memory < 0 || ::shmctl(memory, IPC_STAT, &state) != 0) return 0;
+    return (state.shm_perm.mode & SHM_DEST) != 0 ? 0 : state.shm_nattch;
 }
 
 std::string pinName(const std::string& component, std::string name)
@@ -109,8 +114,8 @@ void HalTransport::fail(const ErrorCode& code, const Value& reason)
 
 void HalTransport::load()
 {
-    if (library_) return;
-    library_ = ::dlopen(halLibrary, RTLD_NOW | RTLD_GLOBAL);
+    // Anew for each link: after hal_exit() the library would go on with memory that it has let go of.
+    library_ = ::dlopen(halLibrary, RTLD_NOW | RTLD_LOCAL);
     if (!library_) {
         const char* const reason = ::dlerror();
         fail(errors::linkNotFound, std::string(reason ? reason : halLibrary));
@@ -124,18 +129,19 @@ void HalTransport::load()
 void HalTransport::open()
 {
     close();
-    memory_ = halMemory();
-    if (memory_ < 0)
-        fail(errors::linkNotFound, errno == EACCES ? LT_TEXT("Engine", "LinuxCNC runs as another user")
-                                                   : LT_TEXT("Engine", "LinuxCNC does not run"));
+    memory_ = ::shmget(halMemoryKey, 0, 0);
+    const bool is_of_another = memory_ < 0 && errno == EACCES;
+    if (usersOf(memory_) == 0)
+        fail(errors::linkNotFound, is_of_another ? LT_TEXT("Engine", "LinuxCNC runs as another user")
+                                                 : LT_TEXT("Engine", "LinuxCNC does not run"));
     load();
     component_ = hal_.init(settings_.component.c_str());
     if (component_ == nameTaken) {
-        component_ = 0;
+        close();
         throw Error(errors::linkTaken, {{"peer", peer()}});
     }
     if (component_ <= 0) {
-        const int code = std::exchange(component_, 0);
+        const int code = component_;
         fail(errors::linkNotFound, std::string("hal_init: ").append(std::to_string(code)));
     }
     makePins();
@@ -159,14 +165,16 @@ void HalTransport::makePins()
     running_.place = static_cast<hal_bit_t**>(hal_.allocate(sizeof(hal_bit_t*)));
     is_made = is_made && running_.place &&
               hal_.newBit(pinName(settings_.component, runningName).c_str(), HAL_IN, running_.place, component_) == 0;
+    if (is_made) **running_.place = true;  // until it is wired the machine counts as one that runs
     if (!is_made || hal_.ready(component_) != 0)
         fail(errors::linkNotFound, LT_TEXT("Engine", "the pins could not be made"));
 }
 
-/// Memory that LinuxCNC has given up stays readable to this program: what stands there is no machine's any more.
+/// Memory that LinuxCNC has given up stays readable to this program, which is then its only user: what stands there is
+/// no machine's any more.
 void HalTransport::requireRunning()
 {
-    if (component_ <= 0 || halMemory() != memory_) fail(errors::linkLost, LT_TEXT("Engine", "LinuxCNC has ended"));
+    if (component_ <= 0 || usersOf(memory_) < 2) fail(errors::linkLost, LT_TEXT("Engine", "LinuxCNC has ended"));
 }
 
 ControlValues HalTransport::read(const std::vector<std::string>& names)
@@ -182,6 +190,14 @@ ControlValues HalTransport::read(const std::vector<std::string>& names)
 void HalTransport::write(const std::string& name, double value)
 {
     requireRunning();
+    if (!std::isfinite(value)) {
+        close();
+        throw Error(errors::linkValueNotHeld, {{"name", name},
+                                               {"peer", peer()},
+                                               {"found", value},
+                                               {"minimum", std::numeric_limits<double>::lowest()},
+                                               {"maximum", std::numeric_limits<double>::max()}});
+    }
     **floats_.at(name).place = value;
 }
 
@@ -197,6 +213,8 @@ void HalTransport::close() noexcept
     running_ = {};
     if (component_ > 0) hal_.exit(component_);
     component_ = 0;
+    if (library_) ::dlclose(library_);
+    library_ = nullptr;
 }
 
 }  // namespace

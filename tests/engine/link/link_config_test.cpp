@@ -107,6 +107,15 @@ TEST(LinkConfig, refuses_registers_that_cannot_hold_what_is_written)
               "malformed");
 }
 
+TEST(LinkConfig, refuses_a_name_of_a_component_that_hal_does_not_take)
+{
+    for (const char* name : {"", "9lathe", "two words", "a.b", "a-name-that-is-longer-than-hal-takes"})
+        EXPECT_EQ(
+            std::string(refusalOf(configText(R"("linuxcnc": {"component": ")" + std::string(name) + "\"}")).code().key),
+            "malformed")
+            << name;
+}
+
 TEST(LinkConfig, a_link_that_is_not_configured_is_refused)
 {
     const LinkConfig config = readConfig(configText(""), ".");

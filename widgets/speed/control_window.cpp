@@ -101,12 +101,12 @@ void ControlWindow::showState()
     else if (!is_answered)
         stateLine_->setText(is_linked ? tr("Asked …") : tr("Asked; no assistant is linked."));
     else
-        stateLine_->setText(tr("State %1: %2")
-                                .arg(QLocale().toString(now.at(link::stateName), 'f', 0),
-                                     state ? screenText(link::textOf(*state)) : QString()));
-    linkLine_->setText(
-        is_linked ? tr("Assistant linked · heartbeat %1").arg(QLocale().toString(now.at(link::heartbeatName), 'f', 0))
-                  : tr("No assistant on port %1").arg(port()));
+        stateLine_->setText(
+            tr("State %1: %2")
+                .arg(screenNumber(now.at(link::stateName), 0), state ? screenText(link::textOf(*state)) : QString()));
+    linkLine_->setText(is_linked
+                           ? tr("Assistant linked · heartbeat %1").arg(screenNumber(now.at(link::heartbeatName), 0))
+                           : tr("No assistant on port %1").arg(port()));
 }
 
 void ControlWindow::retranslate()
@@ -114,6 +114,7 @@ void ControlWindow::retranslate()
     setWindowTitle(tr("Control (simulated)"));
     for (const FieldInfo& info : stability::screenFields()) {
         names_.at(info.key)->setText(screenText(info.label));
+        fields_.at(info.key)->setLocale(QLocale());
         // The registers of a control hold the engine's units, whatever the screen shows elsewhere.
         fields_.at(info.key)->setSuffix(" " + screenText(info.unit));
     }

@@ -40,6 +40,7 @@ LinkBar::LinkBar(QWidget* parent)
     switch_->setObjectName("linkSwitch");
     switch_->setCheckable(true);
     kinds_->setObjectName("linkKind");
+    kinds_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     configuration_->setObjectName("linkConfiguration");
     simulator_->setObjectName("linkSimulator");
     line_->setObjectName("linkLine");

@@ -17639,6 +17639,10 @@
         <source>1 to 24 letters, digits, hyphens or underscores, a letter first</source>
         <translation>od 1 do 24 liter, cyfr, łączników albo podkreśleń, litera na początku</translation>
     </message>
+    <message>
+        <source>Links to controls</source>
+        <translation>Połączenia ze sterowaniem</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

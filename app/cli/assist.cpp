@@ -161,8 +161,7 @@ void simulate(int port, const Request& request, const Progress& progress, Answer
         pending.clear();
     }
     answer.json = [values = control.values()] { return Json{{"values", asJson(values)}}; };
-    if (control.correctedRpm())
-        answer.summary = fill("N_cor {value:0} 1/min\n", {{"value", *control.correctedRpm()}});
+    if (control.correctedRpm()) answer.summary = fill("N_cor {value:0} 1/min\n", {{"value", *control.correctedRpm()}});
 }
 
 void replayLog(const link::Log& log, link::Assistant& assistant, const Progress& progress, Answer& answer)

@@ -130,7 +130,8 @@ Verb inspectVerb(const io::FileKinds& kinds)
         {{"FILE",
           "A point cloud or mesh (XYZ/ASC/CSV/TXT/PTS, PLY, PCD, STL, OBJ), a profile, a probe record "
           "(CSV, L-Graph .dat/.par), frequency responses (UFF, CSV, MAT), a shaft, a spindle or tap tests (JSON, stock "
-          "text), an NC program, a picture (PNG, JPEG, TIFF), characteristics (Q-DAS .dfq), a recipe or an archive.",
+          "text), an NC program, a picture (PNG, JPEG, TIFF), characteristics (Q-DAS .dfq), a recipe, an archive, "
+          "or a link to a control (ASSIST.json).",
           true}},
         {},
         kinds,

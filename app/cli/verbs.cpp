@@ -17,6 +17,7 @@
 #include "engine/form/task/cylindricity_task.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/io/time_record/time_record_reader.h"
+#include "engine/link/link_kind.h"
 #include "engine/receptance/spindle/spindle_kind.h"
 #include "engine/receptance/task/modes_task.h"
 #include "engine/receptance/task/shaft_task.h"
@@ -64,9 +65,10 @@ const std::vector<Verb>& verbs()
                                 assistVerb(),
                                 verbOf(verify::verifyTask())};
         // inspect knows the files of all others
-        io::FileKinds kinds{&io::qdasFiles(),  &io::timeRecordFiles(),      &io::frfFiles(),
-                            &io::shaftFiles(), &receptance::spindleFiles(), &receptance::measurementFiles(),
-                            &cad::stepFiles(), &shop::shopFiles(),          &archive::archiveFiles()};
+        io::FileKinds kinds{&io::qdasFiles(),    &io::timeRecordFiles(),      &io::frfFiles(),
+                            &io::shaftFiles(),   &receptance::spindleFiles(), &receptance::measurementFiles(),
+                            &cad::stepFiles(),   &shop::shopFiles(),          &archive::archiveFiles(),
+                            &link::assistFiles()};
         std::vector<const task::Task*> tasks;
         for (const Verb& verb : table) {
             io::unite(kinds, verb.kinds);

@@ -21,7 +21,7 @@ if(LATHELIER_ODR)  # definitions are compared before anything is optimised
     add_compile_options(-O0 -flto=auto)
     add_link_options(-O0 -flto=auto -Wodr -Werror=odr)
 endif()
-# The same bits on every machine: no contraction of a*b+c into one rounding.
+# No contraction of a*b+c into one rounding: where a compiler does so depends on its version and the processor.
 target_compile_options(lathelier_options INTERFACE -ffp-contract=off)
 # Hardened, where no sanitizer checks more: guarded stack frames, checked calls of the C library, addresses that change
 # from run to run, tables of the linker that cannot be written once the program runs. tests/hardening.cmake looks at

@@ -86,12 +86,19 @@ Registers registersFrom(const io::JsonCursor& object)
     return all;
 }
 
-FocasSettings focasFrom(const io::JsonCursor& object)
+/// A library without a slash is looked up by the loader, as everywhere on the system.
+bool isPath(const std::string& library)
+{
+    return library.find('/') != std::string::npos;
+}
+
+FocasSettings focasFrom(const io::JsonCursor& object, const std::string& folder)
 {
     io::requireMembers(object, {"library", "host", "port", "registers"}, unknownMember);
     FocasSettings made;
     Notes unused;
     made = io::readFields<FocasSettings>(object, unused, {"registers"}, made);
+    if (isPath(made.library)) made.library = io::openablePath(folder, made.library);
     made.registers = registersFrom(object.at("registers", LT_TEXT("Engine", "the registers by name")));
     return made;
 }
@@ -252,7 +259,7 @@ LinkConfig readConfig(const std::string& text, const std::string& folder)
         root.at("linuxcnc", {})
             .at("component", {})
             .reject(LT_TEXT("Engine", "1 to 24 letters, digits, hyphens or underscores, a letter first"));
-    if (const auto focas = root.member("focas")) config.focas = focasFrom(*focas);
+    if (const auto focas = root.member("focas")) config.focas = focasFrom(*focas, folder);
     return config;
 }
 
@@ -292,6 +299,10 @@ std::string textOf(const LinkConfig& config, const std::string& folder)
     if (config.linuxcnc) json["linuxcnc"] = object(*config.linuxcnc);
     if (config.focas) {
         json["focas"] = object(*config.focas);
+        if (isPath(config.focas->library)) {
+            const std::string path = io::relativePath(folder, config.focas->library);
+            json["focas"]["library"] = isPath(path) ? path : "./" + path;
+        }
         for (const auto& [name, one] : config.focas->registers) json["focas"]["registers"][name] = object(one);
     }
     return json.dump(2).append("\n");

@@ -51,7 +51,7 @@ struct LinuxCncSettings {
 };
 
 struct FocasSettings {
-    std::string library = "libfwlib32.so";  ///< the vendor's, as the user has it
+    std::string library = "libfwlib32.so";  ///< the vendor's, as the user has it; a path where it has a slash
     std::string host;                       ///< of the control
     int port = 8193;                        ///< likewise
     Registers registers;                    ///< by name, see control_values.h

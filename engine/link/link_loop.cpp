@@ -165,7 +165,11 @@ bool LinkLoop::poll(const Progress& progress)
         notUnderstood_ = request;
         return false;
     }
-    if (static_cast<std::int64_t>(request) == answered_) return false;
+    if (static_cast<std::int64_t>(request) == answered_) {
+        // A control that started anew between the two writes of finish() asks again under the same number.
+        const bool is_cleared = transport_.read({stateName}).at(stateName) == static_cast<double>(State::Idle);
+        if (!is_cleared) return false;
+    }
     exchange(static_cast<std::int64_t>(request), progress);
     return answered_ == static_cast<std::int64_t>(request);
 }

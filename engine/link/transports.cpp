@@ -7,32 +7,18 @@
 #include "engine/link/loopback/loopback_transport.h"
 
 namespace lathelier::link {
-namespace {
-
-template <class Settings>
-const Settings& needed(const std::optional<Settings>& settings, const char* kind)
-{
-    if (!settings) throw Error(errors::linkNotConfigured, {{"kind", kind}});
-    return *settings;
-}
-
-}  // namespace
-
 const std::vector<TransportKind>& transportKinds()
 {
     static const std::vector<TransportKind> all{
         {"loopback", LT_TEXT("Engine", "Simulated control"), true, true,
-         [](const LinkConfig& config) {
-             return loopbackTransport(needed(config.loopback, "loopback"), config.loop.timeout_ms);
-         }},
+         [](const LinkConfig& config) { return config.loopback.has_value(); },
+         [](const LinkConfig& config) { return loopbackTransport(*config.loopback, config.loop.timeout_ms); }},
         {"linuxcnc", LT_TEXT("Engine", "LinuxCNC"), true, false,
-         [](const LinkConfig& config) {
-             return halTransport(needed(config.linuxcnc, "linuxcnc"), config.loop.timeout_ms);
-         }},
+         [](const LinkConfig& config) { return config.linuxcnc.has_value(); },
+         [](const LinkConfig& config) { return halTransport(*config.linuxcnc, config.loop.timeout_ms); }},
         {"focas", LT_TEXT("Engine", "FANUC (FOCAS2)"), false, true,
-         [](const LinkConfig& config) {
-             return focasTransport(needed(config.focas, "focas"), config.loop.timeout_ms);
-         }},
+         [](const LinkConfig& config) { return config.focas.has_value(); },
+         [](const LinkConfig& config) { return focasTransport(*config.focas, config.loop.timeout_ms); }},
     };
     return all;
 }
@@ -41,7 +27,10 @@ std::unique_ptr<Transport> transportOf(const std::string& kind, const LinkConfig
 {
     std::string known;
     for (const TransportKind& one : transportKinds()) {
-        if (kind == one.key) return one.make(config);
+        if (kind == one.key) {
+            if (!one.is_configured(config)) throw Error(errors::linkNotConfigured, {{"kind", kind}});
+            return one.make(config);
+        }
         known.append(known.empty() ? "" : " | ").append(one.key);
     }
     throw Error(errors::valueNotUnderstood, {{"parameter", "link"}, {"found", kind}, {"expected", known}});

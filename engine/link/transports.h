@@ -15,8 +15,8 @@ struct TransportKind {
     Text title;          ///< as a window shows it
     bool is_verified;    ///< on a real control, or on what it stands for
     bool is_for_window;  ///< false: the control starts and ends the program that is linked to it
-    /// Errors: linkNotConfigured.
-    std::unique_ptr<Transport> (*make)(const LinkConfig& config);
+    bool (*is_configured)(const LinkConfig& config);
+    std::unique_ptr<Transport> (*make)(const LinkConfig& config);  ///< only where it is configured
 };
 
 const std::vector<TransportKind>& transportKinds();

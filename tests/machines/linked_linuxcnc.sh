@@ -39,9 +39,11 @@ stop() {
 }
 trap stop EXIT
 
+# The spindle of the papers; with a bar of 32 x 262.25 mm in it its least real part lies at 229.6 Hz.
+echo '{"springs": {"radial_N_mm": 14850, "tilt_N_mm_rad": 198.3e6, "loss_factor": 0.06}}' > spindle.json
 cat > assist.json << END
 {"schema": "lathelier-assist", "schema_version": 1,
- "parameters": {"mode": [{"frequency_hz": 223, "damping_ratio": 0.03, "stiffness_N_mm": 10000}]},
+ "inputs": {"spindle": {"path": "spindle.json"}},
  "limits": {"highest_rpm": 6000}, "program": {"clearance_mm": 20},
  "linuxcnc": {"component": "lathelier", "program_port": 5117}}
 END
@@ -78,6 +80,7 @@ say "set mode mdi"
 
 # The case of the paper: D 32 mm, v_c 290 m/min.
 mdi "M68 E0 Q32"
+mdi "M68 E1 Q262.25"
 mdi "M68 E2 Q290"
 mdi "M68 E5 Q1"
 soon is lathelier.answered 1
@@ -110,6 +113,7 @@ say "set open $folder/shaft.ngc"
 sleep 0.5
 say "set mode mdi"
 mdi "M68 E0 Q0"
+mdi "M68 E1 Q0"
 mdi "M68 E2 Q290"
 mdi "M68 E5 Q4"
 soon is lathelier.answered 4
@@ -161,6 +165,7 @@ as_user ./lathelier-cli assist --link linuxcnc --config assist.json --log again.
 assistant=$!
 soon opened 1
 set_pin diameter-mm 32
+set_pin length-mm 262.25
 set_pin cutting-speed-m-min 290
 set_pin request 1
 soon is lathelier.answered 1
@@ -178,6 +183,7 @@ start
 soon opened 2
 set_pin running 0
 set_pin diameter-mm 32
+set_pin length-mm 262.25
 set_pin cutting-speed-m-min 290
 set_pin request 3
 soon is lathelier.answered 3

@@ -15,9 +15,12 @@ void ControlLink::start(const std::string& kind, const link::LinkConfig& config)
     const std::int64_t run = ++run_;
     kind_ = kind;
     status_ = Status::Connecting;
-    // The assignment joins the thread of an earlier link, which was asked to stop.
-    thread_ = std::jthread(
-        [this, run, kind, config](const std::stop_token& stop_token) { work(stop_token, run, kind, config); });
+    // The new thread joins that of the earlier link, which was asked to stop: the window does not wait for it.
+    thread_ =
+        std::jthread([this, run, kind, config, earlier = std::move(thread_)](const std::stop_token& stop) mutable {
+            earlier = {};
+            work(stop, run, kind, config);
+        });
     emit changed();
 }
 

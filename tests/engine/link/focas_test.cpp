@@ -85,9 +85,9 @@ FocasSettings settings()
     FocasSettings made;
     made.library = LATHELIER_FAKE_FOCAS;
     made.host = "192.168.1.10";
-    made.registers = {{requestName, {1000, 2, 1}},  {runningName, {1002, 1, 1}},   {diameterName, {1004, 4, 0.001}},
-                      {speedName, {1012, 4, 0.1}},  {correctedName, {1100, 4, 1}}, {stateName, {1104, 2, 1}},
-                      {answeredName, {1106, 2, 1}}, {heartbeatName, {1108, 2, 1}}};
+    made.registers = {{requestName, {1000, 2, 1}},    {runningName, {1002, 1, 1}},  {diameterName, {1004, 4, 0.001}},
+                      {lengthName, {1008, 4, 0.001}}, {speedName, {1012, 4, 0.1}},  {correctedName, {1100, 4, 1}},
+                      {stateName, {1104, 2, 1}},      {answeredName, {1106, 2, 1}}, {heartbeatName, {1108, 2, 1}}};
     return made;
 }
 
@@ -155,6 +155,18 @@ TEST_F(FocasLink, answers_the_case_of_the_paper)
     ASSERT_TRUE(holdsSoon([&] { return running.entries().size() >= 2; }));
     EXPECT_FALSE(running.entries()[0].is_verified);
     EXPECT_NEAR(running.entries()[1].exchange->reply.selected_rpm.value(), paperSelected_rpm, 0.1);
+}
+
+TEST_F(FocasLink, answers_the_case_of_the_paper_with_its_spindle)
+{
+    const ScratchFolder scratch;
+    Assistant with_spindle(spindleQuestion(scratch), config.limits);
+    statePaper();
+    put(lengthName, paperLength_mm);
+    const RunningLoop running(*transport, with_spindle, loopSettings(config, false));
+    put(requestName, 1);
+    ASSERT_TRUE(holdsSoon([&] { return holds(1); }));
+    EXPECT_EQ(at(correctedName), paperCorrected_rpm);
 }
 
 TEST_F(FocasLink, a_call_that_fails_at_any_place_lets_nothing_wrong_hold)

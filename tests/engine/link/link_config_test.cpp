@@ -38,6 +38,29 @@ TEST(LinkConfig, written_and_read_is_the_same)
     EXPECT_EQ(textOf(readConfig(text, "/shop"), "/shop"), text);
 }
 
+TEST(LinkConfig, a_library_with_a_slash_counts_from_the_file)
+{
+    LinkConfig config;
+    const auto library = [&](const std::string& stated, const std::string& folder) {
+        std::string registers;
+        int address = 0;
+        for (const char* name :
+             {requestName, runningName, diameterName, speedName, correctedName, stateName, answeredName, heartbeatName})
+            registers.append(registers.empty() ? "" : ", ")
+                .append(fmt::format(R"("{}": {{"address": {}}})", name, address += 4));
+        config = readConfig(withPart(fmt::format(R"("focas": {{"library": "{}", "host": "a", "registers": {{{}}}}})",
+                                                 stated, registers)),
+                            folder);
+        return config.focas->library;
+    };
+    EXPECT_EQ(library("libfwlib32.so", "/shop"), "libfwlib32.so");
+    EXPECT_EQ(library("vendor/libfwlib32.so", "/shop"), "/shop/vendor/libfwlib32.so");
+    EXPECT_EQ(library("./libfwlib32.so", "/shop"), "/shop/libfwlib32.so");
+    const std::string text = textOf(config, "/shop");
+    EXPECT_NE(text.find("\"./libfwlib32.so\""), std::string::npos);
+    EXPECT_EQ(textOf(readConfig(text, "/shop"), "/shop"), text);
+}
+
 TEST(LinkConfig, refuses_a_member_that_it_does_not_know_by_its_place)
 {
     const Error error = refusalOf("{\"schema\": \"lathelier-assist\", \"schema_version\": 1,\n \"limit\": {}}");

@@ -46,6 +46,24 @@ TEST(LinkLoop, answers_the_case_of_the_paper)
     EXPECT_EQ(exchange.read_back_rpm, exchange.written_rpm);
 }
 
+TEST(LinkLoop, answers_the_case_of_the_paper_with_its_spindle)
+{
+    const ScratchFolder scratch;
+    Linked linked;
+    Assistant assistant(spindleQuestion(scratch), linked.config.limits);
+    const RunningLoop running(*linked.transport, assistant, loopSettings(linked.config, false));
+    linked.control.set(lengthName, paperLength_mm);
+    for (const double speed_m_min : {paperSpeed_m_min, otherSpeed_m_min}) {
+        linked.control.set(speedName, speed_m_min);
+        linked.control.request();
+        ASSERT_TRUE(holdsSoon([&] { return linked.isAnswered(); })) << speed_m_min;
+        EXPECT_EQ(linked.control.correctedRpm(), paperCorrected_rpm) << speed_m_min;
+    }
+    ASSERT_TRUE(holdsSoon([&] { return running.entries().size() >= 3; }));
+    EXPECT_NEAR(running.entries()[1].exchange->reply.selected_rpm.value(), paperSelected_rpm, 0.1);
+    EXPECT_NEAR(running.entries()[2].exchange->reply.selected_rpm.value(), 2800, 0.1);
+}
+
 TEST(LinkLoop, answers_a_thousand_requests_in_a_row)
 {
     Linked linked;
@@ -198,6 +216,54 @@ TEST(LinkLoop, without_a_control_says_where_it_looked)
         EXPECT_EQ(error.code(), errors::linkNotFound);
         EXPECT_EQ(*std::get_if<std::string>(find(error.values(), "peer")), "127.0.0.1:1");
     }
+}
+
+/// A control in memory, of which the test sees each write.
+struct ControlInMemory : Transport {
+    ControlValues values = paperValues();
+    std::function<void(ControlInMemory&, const std::string& name)> written;
+
+    void open() override { values.insert({{answeredName, 0}, {stateName, 0}, {heartbeatName, 0}, {correctedName, 0}}); }
+    ControlValues read(const std::vector<std::string>& names) override
+    {
+        ControlValues found;
+        for (const std::string& name : names) found[name] = values.at(name);
+        return found;
+    }
+    void write(const std::string& name, double value) override
+    {
+        values[name] = value;
+        written(*this, name);
+    }
+    bool offers(const std::string& name) const override { return values.count(name) != 0; }
+    void close() noexcept override {}
+    bool isOpen() const override { return true; }
+    bool isExclusive() const override { return true; }
+    std::string peer() const override { return "memory"; }
+};
+
+TEST(LinkLoop, a_control_cleared_before_answered_is_answered_anew_under_the_same_number)
+{
+    const LinkConfig config = paperConfig(1);
+    Assistant assistant = paperAssistant(config);
+    ControlInMemory control;
+    std::stop_source stop;
+    int states = 0;
+    int beats = 0;
+    control.written = [&](ControlInMemory& of, const std::string& name) {
+        if (name == stateName && ++states == 1) {  // the registers are cleared, and the operator asks at once
+            of.values[stateName] = 0;
+            of.values[correctedName] = 0;
+        }
+        if (name == answeredName && of.values[stateName] == 1) stop.request_stop();
+        if (name == heartbeatName && ++beats > 20) stop.request_stop();  // no answer comes
+    };
+    LinkLoop loop(control, assistant, loopSettings(config, false), {});
+    loop.run(Progress(stop.get_token(), {}));
+    EXPECT_EQ(states, 2);
+    EXPECT_EQ(control.values.at(answeredName), 1);
+    EXPECT_EQ(control.values.at(stateName), 1);
+    EXPECT_EQ(control.values.at(correctedName), paperCorrected_rpm);
 }
 
 TEST(LinkLog, is_answered_again_as_it_was)

@@ -9,9 +9,11 @@
 #include <thread>
 #include <vector>
 
+#include "engine/io/file.h"
 #include "engine/link/link_config.h"
 #include "engine/link/link_loop.h"
 #include "engine/link/loopback/simulated_control.h"
+#include "tests/scratch_folder.h"
 
 namespace lathelier::link {
 
@@ -31,6 +33,19 @@ inline std::string configText(const std::string& more = R"("loopback": {"host": 
 inline LinkConfig paperConfig(int port)
 {
     return readConfig(configText(fmt::format(R"("loopback": {{"host": "127.0.0.1", "port": {}}})", port)), ".");
+}
+
+/// The spindle of the papers in place of the mode. With the bar D × L in it the least real part lies at 229.6 Hz.
+inline constexpr double paperLength_mm = 262.25;
+inline constexpr double otherSpeed_m_min = 281.487;  // selects 2800 1/min, at the bottom of a lobe
+
+inline project::PanelState spindleQuestion(const ScratchFolder& scratch)
+{
+    const std::string path = (scratch / "spindle.json").string();
+    io::writeFile(path, R"({"springs": {"radial_N_mm": 14850, "tilt_N_mm_rad": 198.3e6, "loss_factor": 0.06}})");
+    project::PanelState question;
+    question.inputs["spindle"].path = path;
+    return question;
 }
 
 inline Assistant paperAssistant(const LinkConfig& config)

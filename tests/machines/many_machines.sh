@@ -27,18 +27,26 @@ stop() {
 trap stop EXIT
 fail() { echo "FAILED: $*" >&2; exit 1; }
 
-# postgres: a server that is reached by a socket in the folder, and the service "shop".
+# postgres: a server that is reached by a socket in the folder, the service "shop", and by the network under TLS, as the
+# host shop.test. 0.0.0.0 leads to this machine too, but is no address of it to the archive.
 postgres=$(ls -d /usr/lib/postgresql/*/bin | tail -1)
 as_postgres() { if ((EUID == 0)); then (cd / && setpriv --reuid=nobody --regid=nogroup --clear-groups "$@"); else "$@"; fi; }
 start_postgres() {
     mkdir -p postgres/socket
     if ((EUID == 0)); then chown -R nobody:nogroup postgres; fi
     as_postgres "$postgres/initdb" -D "$folder/postgres/data" -U "$me" --auth=trust -E UTF8 --no-sync > postgres.log
-    as_postgres "$postgres/pg_ctl" -D "$folder/postgres/data" -w -l "$folder/postgres/log" \
-        -o "-c listen_addresses='' -c unix_socket_directories='$folder/postgres/socket' -c fsync=off" start >> postgres.log
+    for name in server other; do
+        openssl req -x509 -nodes -newkey ec -pkeyopt ec_paramgen_curve:prime256v1 -subj /CN=shop.test \
+            -addext subjectAltName=DNS:shop.test -keyout "postgres/$name.key" -out "postgres/$name.crt" 2>> openssl.log
+    done
+    if ((EUID == 0)); then chown nobody postgres/*.key; fi
+    printf '%s\n' "local all all trust" "hostssl all all 127.0.0.1/32 trust" > postgres/data/pg_hba.conf
+    as_postgres "$postgres/pg_ctl" -D "$folder/postgres/data" -w -l "$folder/postgres/log" -o "-p $pg_port \
+        -c listen_addresses=127.0.0.1 -c unix_socket_directories='$folder/postgres/socket' -c fsync=off -c ssl=on \
+        -c ssl_cert_file='$folder/postgres/server.crt' -c ssl_key_file='$folder/postgres/server.key'" start >> postgres.log
     chmod 777 postgres/socket
-    "$postgres/createdb" -h "$folder/postgres/socket" -U "$me" shop
-    printf '[shop]\nhost=%s\ndbname=shop\nuser=%s\n' "$folder/postgres/socket" "$me" > service.conf
+    "$postgres/createdb" -h "$folder/postgres/socket" -p "$pg_port" -U "$me" shop
+    printf '[shop]\nhost=%s\nport=%s\ndbname=shop\nuser=%s\n' "$folder/postgres/socket" "$pg_port" "$me" > service.conf
     export PGSERVICEFILE=$folder/service.conf
 }
 
@@ -116,6 +124,7 @@ END
 
 # Ports that nobody has: another test of this kind may run beside.
 ssh_port=$((20000 + $$ % 20000))
+pg_port=$((ssh_port + 3))
 start_postgres || fail "PostgreSQL does not start: $(cat postgres.log)"
 start_ssh || fail "sshd does not start"
 start_slurm || fail "Slurm does not start"
@@ -139,4 +148,19 @@ known_bad=$(tr -d ' \n' < day/truth.json | grep -o '"file":"parts/[^"]*","seat_o
 for bad in $known_bad; do
     grep -q "\"path\":\"$bad\".*\"verdict\":\"fail\",\"characteristics\"" plain.jsonl || fail "$bad was not found"
 done
+
+# Over the network: by TLS to a server whose certificate is known and has its name, and no other way.
+archive_over() { # HOST CERTIFICATE [MORE]
+    PGSSLROOTCERT=$folder/postgres/$2.crt lathelier-cli archive verify --json said.json \
+        "host=$1 hostaddr=0.0.0.0 port=$pg_port dbname=shop user=$me${3:+ $3}" > said.txt 2>&1
+}
+refuses() { # EXIT_CODE CODE HOST CERTIFICATE [MORE]
+    local code=0
+    archive_over "${@:3}" || code=$?
+    [[ $code == "$1" ]] && grep -q "\"code\": \"$2\"" said.json || fail "${*:3}: exit $code, $(cat said.txt)"
+}
+archive_over shop.test server || fail "by TLS: $(cat said.txt)"
+refuses 3 archive_not_opened shop.test other
+refuses 3 archive_not_opened another.test server
+refuses 2 tls_required shop.test server sslmode=disable
 echo "four ways, one export, three parts found"

@@ -183,7 +183,9 @@ void assist(const AssistOptions& options, const link::LinkConfig& config, link::
     const auto transport = link::transportOf(options.link, config);
     if (!transport->isVerified()) answer.notes.push_back({notes::linkNotVerified, {{"kind", options.link}}});
     LogFile log(options.log);
+    std::optional<Error> refused;
     const auto tell = [&](link::LogEntry entry) {
+        if (entry.event == link::LinkEvent::Refused) refused = entry.error;
         entry.kind = options.link;
         entry.config_sha256 = config.file.sha256;
         log.append(link::toJson(entry));
@@ -192,13 +194,14 @@ void assist(const AssistOptions& options, const link::LinkConfig& config, link::
     link::LinkLoop loop(*transport, assistant, link::loopSettings(config, options.once), tell);
     loop.run(progress);
     progress.check();
-    const link::Exchange last = loop.last().value_or(link::Exchange{});
+    if (!loop.last()) throw *refused;  // a request that is none
+    const link::Exchange last = *loop.last();
     answer.json = [last] { return link::toJson(last); };
     if (last.reply.state == link::State::Ok) return;
     Values values{{"state", link::textOf(last.reply.state)}, {"number", static_cast<std::int64_t>(last.reply.state)}};
     set(values, "request", last.request);
-    if (last.reply.error) throw Error(*last.reply.error).with("state", std::string(link::nameOf(last.reply.state)));
-    throw Error(errors::linkRefused, values);
+    answer.errors.emplace_back(errors::linkRefused, values);
+    if (last.reply.error) answer.errors.push_back(*last.reply.error);
 }
 
 void runAssist(const Request& request, io::InputFiles&, const Progress& progress, Answer& answer)

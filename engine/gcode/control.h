@@ -128,6 +128,7 @@ struct Control {
     bool groove_step_is_diameter = false;   ///< I of a groove along X in one block counts diameters
 
     // Programs within the file, besides O numbers
+    bool call_stands_alone = false;   ///< other words in the block of CallProgram or Return are refused or left out
     bool call_holds_repeats = false;  ///< P30012 of CallProgram: program 12 three times
     char call_letter = 0;             ///< L12 P3 calls the program of that name three times; 0: none
     std::string program_head;         ///< a line with this and the name begins a program, "%_N_"; empty: none

@@ -239,10 +239,14 @@ private:
     Number read(const VariableName& found)
     {
         const bool isNumber = found.number >= 0;
+        const auto shown = [&] {
+            return isNumber
+                       ? std::string(1, rules_.has_named_variables ? 'R' : '#').append(std::to_string(found.number))
+                       : found.name;
+        };
         if (unknown.empty() && (isNumber ? variables_.isUnknown(found.number) : variables_.isUnknown(found.name)))
-            unknown = isNumber
-                          ? std::string(1, rules_.has_named_variables ? 'R' : '#').append(std::to_string(found.number))
-                          : found.name;
+            unknown = shown();
+        if (vacant.empty() && isNumber && variables_.isVacant(found.number)) vacant = shown();
         return isNumber ? variables_.get(found.number) : variables_.get(found.name);
     }
 
@@ -359,6 +363,7 @@ public:
     bool is_incremental = false;
     bool is_absolute = false;
     std::string unknown;
+    std::string vacant;
 };
 
 }  // namespace
@@ -371,6 +376,7 @@ Computed compute(std::string_view text, const Variables& variables)
     result.is_incremental = parser.is_incremental;
     result.is_absolute = parser.is_absolute;
     result.unknown = std::move(parser.unknown);
+    result.vacant = std::move(parser.vacant);
     parser.skip();
     result.end = parser.at();
     return result;

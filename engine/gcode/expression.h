@@ -28,6 +28,8 @@ public:
     bool isUnknown(long number) const;
     bool isUnknown(const std::string& name) const;
     bool isSet(long number) const;  ///< by the program, or as the position
+    /// Without a value it counts as 0, but another program may have set it.
+    bool isVacant(long number) const;
     bool isSet(const std::string& name) const;
     void set(long number, std::optional<double> value);
     void set(const std::string& name, double value);
@@ -66,6 +68,7 @@ struct Computed {
     bool is_incremental = false;  ///< IC(…)
     bool is_absolute = false;     ///< AC(…)
     std::string unknown;          ///< the first variable whose value is not known; empty: none
+    std::string vacant;           ///< the first that no program has set here and that counts as 0; empty: none
     std::size_t end = 0;          ///< number of bytes parsed
 };
 

@@ -40,7 +40,7 @@ void Interpreter::runLabelled(const FlowStatement& at)
             std::unordered_map<long, double> arguments;
             std::string_view list = trimmedFront(rest);
             for (long n = 1; n <= 30 && list.starts_with('['); ++n) {
-                const Computed value = compute(list, variables_);
+                const Computed value = evaluated(list);
                 arguments[n] = value.value.value_or(0);
                 if (value.end == 0) break;
                 list = trimmedFront(list.substr(value.end));
@@ -98,7 +98,7 @@ void Interpreter::runLabelled(const FlowStatement& at)
         else
             unmatched();
     } else if (word == "REPEAT") {
-        const double count = std::floor(compute(rest, variables_).value.value_or(0));
+        const double count = std::floor(evaluated(rest).value.value_or(0));
         if (count >= 1) {
             open_.push_back({at.block, count});
             return;

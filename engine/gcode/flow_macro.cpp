@@ -15,7 +15,7 @@ void Interpreter::runMacro(const Word& word)
     std::string_view rest = all.substr(at.rest, word.begin + word.length - at.rest);
     std::string keyword = at.keyword;
     const auto goTo = [&](std::string_view text) {
-        const Computed number = compute(text, variables_);
+        const Computed number = evaluated(text);
         const long wanted = std::lround(std::clamp(number.value.value_or(-1), -1.0, 1e9));
         const auto found = findSequence(wanted, pc_);
         if (found)

@@ -42,7 +42,7 @@ void Interpreter::callByName(const Word& word, long repeats)
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         std::optional<double> value = 0;
         if (i < given.size() && !given[i].empty()) {
-            const Computed found = compute(given[i], variables_);
+            const Computed found = evaluated(given[i]);
             value = found.unknown.empty() ? std::optional(found.value.value_or(0)) : std::nullopt;
         }
         values.emplace_back(parameters[i].name, value);
@@ -61,7 +61,7 @@ void Interpreter::declare(std::string_view list)
     for (const Declared& one : declaredIn(rest.substr(type))) {
         if (one.value.starts_with('"')) continue;
         Computed found;
-        if (!one.value.empty()) found = compute(one.value, variables_);
+        if (!one.value.empty()) found = evaluated(one.value);
         if (found.unknown.empty())
             variables_.set(one.name, found.value.value_or(0));
         else
@@ -100,7 +100,7 @@ void Interpreter::repeatPart(std::string_view text, const Word& word, bool is_on
             continue;
         }
         const std::string_view value = rest.starts_with('=') ? rest.substr(1) : std::string_view(name).substr(1);
-        const Computed count = compute(value, variables_);
+        const Computed count = evaluated(value);
         if (!count.unknown.empty()) warn(notes::ncVariableUnset, &word, {{"found", count.unknown}}, GapEffect::Moves);
         repeats = std::lround(std::clamp(count.value.value_or(0), 0.0, 1e12));
         break;
@@ -213,12 +213,12 @@ void Interpreter::runStructured(const FlowStatement& at)
         if (equals == std::string_view::npos || last == std::string::npos) return to(std::string::npos, 0);
         const auto current = name.number >= 0 ? variables_.get(name.number) : variables_.get(name.name);
         const double value =
-            word == "FOR" ? compute(text.substr(equals + 1), variables_).value.value_or(0) : current.value_or(0) + 1;
+            word == "FOR" ? evaluated(text.substr(equals + 1)).value.value_or(0) : current.value_or(0) + 1;
         if (name.number >= 0)
             variables_.set(name.number, value);
         else
             variables_.set(name.name, value);
-        const bool isRepeated = value <= compute(text.substr(last + 4), variables_).value.value_or(0);
+        const bool isRepeated = value <= evaluated(text.substr(last + 4)).value.value_or(0);
         if (word == "ENDFOR") return isRepeated ? jump(start.block + 1) : void();
         if (!isRepeated) to(matching(index, "FOR", "ENDFOR", 1), 1);
         return;

@@ -78,7 +78,15 @@ void Interpreter::warn(const NoteCode& code, const Word* word, Values values, st
     report(program_, diagnostics_, program_.blocks[pc_], placeOf(word), code, std::move(values), gap);
 }
 
-void Interpreter::assume(const char* what, const Text& value)
+/// A variable that nothing has set here is listed.
+Computed Interpreter::evaluated(std::string_view text)
+{
+    Computed found = compute(text, variables_);
+    if (!found.vacant.empty()) assume(found.vacant, Text{"0"});
+    return found;
+}
+
+void Interpreter::assume(const std::string& what, const Text& value)
 {
     LinePlace place = program_.placeOf(static_cast<std::int64_t>(pc_) + 1);
     const bool isStated = std::any_of(assumed_.begin(), assumed_.end(), [&](const Assumed& one) {
@@ -132,6 +140,16 @@ void Interpreter::returnOrRepeat(BlockWords& words)
     }
 }
 
+/// Whether a call or a return has no words beside it but those that it takes.
+bool Interpreter::standsAlone(const BlockWords& words, M meaning)
+{
+    if (meaning != M::CallProgram && meaning != M::Return) return true;
+    std::uint32_t rest = words.given;
+    for (const char letter : std::string_view(meaning == M::CallProgram ? "PLNO" : "NO"))
+        rest &= ~(1U << BlockWords::slot(letter));
+    return rest == 0 && words.g_count == 0 && words.m_count == 1;
+}
+
 void Interpreter::takeM(BlockWords& words)
 {
     takeCalls(words);
@@ -139,6 +157,10 @@ void Interpreter::takeM(BlockWords& words)
         const int m = words.m[static_cast<std::size_t>(i)];
         const M meaning = meaningOfM(control_, m);
         if ((inContour_ || inFinish_) && meaning >= M::CallProgram) {
+            warn(notes::ncBlockNotModelled, nullptr, {{"found", named('M', m)}}, GapEffect::Moves);
+            continue;
+        }
+        if (control_.call_stands_alone && !standsAlone(words, meaning)) {
             warn(notes::ncBlockNotModelled, nullptr, {{"found", named('M', m)}}, GapEffect::Moves);
             continue;
         }

@@ -160,6 +160,7 @@ private:
     void checkPairs();
     void callBlock(BlockWords& words);
     void returnOrRepeat(BlockWords& words);
+    static bool standsAlone(const BlockWords& words, M meaning);
     std::size_t matching(std::size_t index, const char* open, const char* close, int step) const;
     void stop() { stopped_ = true; }
 
@@ -246,7 +247,8 @@ private:
     std::uint32_t placeOf(const Word* word) const;
     void error(const ErrorCode& code, const Word* word = nullptr, Values values = {});
     void warn(const NoteCode& code, const Word* word = nullptr, Values values = {}, std::optional<GapEffect> gap = {});
-    void assume(const char* what, const Text& value);
+    void assume(const std::string& what, const Text& value);
+    Computed evaluated(std::string_view text);
     std::string shownWord(const Word& word) const { return shown(program_, program_.textOf(word)); }
     void notUnderstood(const Word* word);
     void drainProblems();

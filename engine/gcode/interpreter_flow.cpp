@@ -123,7 +123,7 @@ void Interpreter::checkPairs()
 /// is a gap.
 bool Interpreter::condition(std::string_view text, std::size_t* end)
 {
-    const Computed found = compute(text, variables_);
+    const Computed found = evaluated(text);
     if (end) *end = found.end;
     if (found.unknown.empty()) return found.value.value_or(0) != 0;
     warn(notes::ncVariableUnset, nullptr, {{"found", found.unknown}}, GapEffect::Moves);

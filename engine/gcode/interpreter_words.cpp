@@ -34,7 +34,7 @@ std::optional<double> Interpreter::valueOf(const Word& word, Computed* computed)
     if (word.kind == WordKind::Number) return word.value;
     const std::string_view text = program_.valueOf(word);
     try {
-        Computed found = compute(text, variables_);
+        Computed found = evaluated(text);
         if (found.end < text.size())
             throw ExpressionFailure{LT_TEXT("Engine", "something is left behind it"), found.end};
         if (computed) *computed = found;

@@ -45,6 +45,11 @@ bool Variables::isSet(const std::string& name) const
     return (name.starts_with('_') ? names_ : calls_.back().names).contains(name);
 }
 
+bool Variables::isVacant(long number) const
+{
+    return number > arithmetic_.last_local && number <= arithmetic_.last_zero && !isSet(number);
+}
+
 bool Variables::isUnknown(long number) const
 {
     if (number == 0 || get(number)) return false;

@@ -1,5 +1,7 @@
 #include "engine/link/assistant.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "engine/core/failure.h"
@@ -54,11 +56,10 @@ bool areInRange(const ControlValues& values, const Limits& limits)
            isWithin(valueOf(values, lengthName), limits.lowest_length_mm, limits.highest_length_mm);
 }
 
-/// Whether the response is that of the bar D × L; else it is a shaft's, or measured, or of modes.
-bool isOfBar(const project::PanelState& question)
+std::optional<double> configuredDepth(const project::PanelState& question)
 {
-    const std::vector<std::string> given = task::givenOf(stability::speedTask(), question);
-    return given.empty() || given.front() == stability::barLengthKey;
+    const Value* const depth = find(question.parameters, depthName);
+    return depth && std::holds_alternative<double>(*depth) ? std::optional(std::get<double>(*depth)) : std::nullopt;
 }
 
 State stateOf(const Error& error)
@@ -68,21 +69,44 @@ State stateOf(const Error& error)
 
 }  // namespace
 
+bool isOfBar(const project::PanelState& question)
+{
+    const std::vector<std::string> given = task::givenOf(stability::speedTask(), question);
+    return given.empty() || given.front() == stability::barLengthKey;
+}
+
+project::PanelState machineQuestion(project::PanelState question)
+{
+    for (const FieldInfo& info : stability::screenFields()) stability::enterValue(question.parameters, info.key, {});
+    set(question.parameters, "speed_rpm", {});
+    return question;
+}
+
 Assistant::Assistant(project::PanelState question, const Limits& limits, std::optional<OfProgram> of_program)
-    : question_(std::move(question)), limits_(limits), ofProgram_(of_program)
+    : question_(machineQuestion(std::move(question))), limits_(limits), ofProgram_(of_program)
 {
 }
 
 void Assistant::prepare(const Progress& progress)
 {
-    task::Sources sources;
-    project::PanelState state = question_;
     // Any values that a machine may have: the answer is not used.
-    for (const auto& [key, value] : {std::pair{stability::diameterKey, 30.0},
-                                     {stability::barLengthKey, 100.0},
-                                     {stability::cuttingSpeedKey, 200.0}})
-        stability::enterValue(state.parameters, key, value);
-    stability::answerSpeed(state, stores_, sources, progress);
+    ControlValues values{{diameterName, 30}, {speedName, 200}};
+    if (isOfBar(question_)) values[lengthName] = 100;
+    task::Sources sources;
+    stability::answerSpeed(asked(values), stores_, sources, progress);
+}
+
+/// The question with what the control states.
+project::PanelState Assistant::asked(const ControlValues& values) const
+{
+    project::PanelState state = question_;
+    for (const std::string& name : enteredNames()) {
+        if (name == lengthName && !isOfBar(question_)) continue;
+        if (isStated(values, name.c_str())) stability::enterValue(state.parameters, name, values.at(name));
+    }
+    // The coefficient judges by a depth, which the control may leave open: then the relation of the papers answers.
+    if (!isStated(values, depthName) && !configuredDepth(state)) set(state.parameters, "cutting_coefficient_N_mm2", {});
+    return state;
 }
 
 bool Assistant::needsProgram(const ControlValues& values) const
@@ -98,8 +122,8 @@ std::optional<Reply> Assistant::refused(const ControlValues& values) const
     for (const auto& [name, value] : values)
         if (!std::isfinite(value)) return with(State::NotUnderstood);
     if (isStated(values, runningName)) return with(State::Running);
-    for (const char* name : {diameterName, speedName})
-        if (!isStated(values, name)) return with(State::NotUnderstood);
+    for (const char* name : {diameterName, speedName, lengthName})
+        if (!isStated(values, name) && (name != lengthName || isOfBar(question_))) return with(State::NotUnderstood);
     if (!areInRange(values, limits_)) return with(State::OutOfRange);
     return std::nullopt;
 }
@@ -110,7 +134,7 @@ Reply Assistant::answer(const ControlValues& asked, const std::optional<std::str
     std::optional<ProgramBar> bar;
     if (needsProgram(values) && !isStated(values, runningName)) {
         try {
-            if (!program) throw Error(errors::linkProgramEmpty, {});
+            if (!program) throw Error(errors::linkNoProgram, {});
             bar = barOfProgram(*program, *ofProgram_, progress);
         } catch (const Cancelled&) {
             throw;
@@ -126,21 +150,21 @@ Reply Assistant::answer(const ControlValues& asked, const std::optional<std::str
     else
         reply = computed(values, progress);
     reply.program = bar;
+    if (bar) reply.assumed.insert(reply.assumed.end(), bar->assumed.begin(), bar->assumed.end());
     return reply;
 }
 
 Reply Assistant::computed(const ControlValues& values, const Progress& progress)
 {
-    project::PanelState state = question_;
-    for (const std::string& name : enteredNames())
-        if (isStated(values, name.c_str())) stability::enterValue(state.parameters, name, values.at(name));
     Reply reply;
     try {
         task::Sources sources;
-        const stability::SpeedOutcome outcome = stability::answerSpeed(state, stores_, sources, progress);
+        const stability::SpeedOutcome outcome = stability::answerSpeed(asked(values), stores_, sources, progress);
         reply.assumed = outcome.understanding.assumed;
         if (isStated(values, lengthName) && !isOfBar(question_))  // the stated overhang has no effect
             reply.assumed.push_back({lengthName, task::givenOf(stability::speedTask(), question_).front(), {}, 0});
+        if (const auto depth_mm = configuredDepth(question_); depth_mm && !isStated(values, depthName))
+            reply.assumed.push_back({depthName, fmt::format("{}", *depth_mm), {}, 0});
         if (outcome.published) reply.selected_rpm = outcome.published->selected_rpm;
         if (outcome.problem && !outcome.safe) throw Error(*outcome.problem);
         const std::optional<double> speed_rpm = outcome.recommendedRpm();

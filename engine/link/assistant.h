@@ -31,10 +31,11 @@ struct OfProgram {
 
 /// D and L of a program (program_bar.h).
 struct ProgramBar {
-    std::string path;        ///< of the program
-    std::string sha256;      ///< of its content
-    double diameter_mm = 0;  ///< D
-    double length_mm = 0;    ///< L, with the clearance
+    std::string path;              ///< of the program
+    std::string sha256;            ///< of its content
+    double diameter_mm = 0;        ///< D
+    double length_mm = 0;          ///< L, with the clearance
+    std::vector<Assumed> assumed;  ///< by the reader of the program
 };
 
 /// What is answered, and what is written with it.
@@ -47,9 +48,16 @@ struct Reply {
     std::optional<Error> error;          ///< why there is no speed
 };
 
+/// Whether the response is that of the bar D × L; else it is a shaft's, or measured, or of modes.
+bool isOfBar(const project::PanelState& question);
+
+/// The question without the values of the operator's screen.
+project::PanelState machineQuestion(project::PanelState question);
+
 class Assistant {
 public:
-    /// `question`: inputs and parameters of the task speed; what the control states is entered into them.
+    /// `question`: inputs and parameters of the task speed. What the control states is entered into them; the values of
+    /// the operator's screen are the control's alone (machineQuestion()).
     Assistant(project::PanelState question, const Limits& limits, std::optional<OfProgram> of_program = {});
 
     /// Reads the files and answers once in advance, so that no request waits for it. Errors: those of the readers.
@@ -65,6 +73,7 @@ public:
 
 private:
     std::optional<Reply> refused(const ControlValues& values) const;
+    project::PanelState asked(const ControlValues& values) const;
     Reply computed(const ControlValues& values, const Progress& progress);
 
     project::PanelState question_;

@@ -11,7 +11,7 @@
 namespace lathelier::link {
 namespace {
 
-constexpr const char* eventNames[] = {"opened", "exchange", "lost", "taken", "closed"};
+constexpr const char* eventNames[] = {"opened", "exchange", "refused", "lost", "taken", "closed"};
 
 Json orNull(const std::optional<double>& value)
 {

@@ -4,7 +4,7 @@
 //   {"time": …, "event": "exchange", "request": 7, "read": {"diameter_mm": 32, …}, "program": {…}, "state": 1,
 //    "state_name": "ok", "selected_rpm": 2884.7, "n_cor_rpm": 3237, "read_back_rpm": 3237, "assumed": […],
 //    "duration_ms": 12.5, "error": {…}}
-//   {"time": …, "event": "lost" | "taken" | "closed", "error": {…}}
+//   {"time": …, "event": "refused" | "lost" | "taken" | "closed", "error": {…}}
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct Exchange {
     double duration_ms = 0;               ///< from the request seen to `answered` written
 };
 
-enum class LinkEvent { Opened, Exchanged, Lost, Taken, Closed };
+enum class LinkEvent { Opened, Exchanged, Refused, Lost, Taken, Closed };
 
 /// One line of the log.
 struct LogEntry {
@@ -42,7 +42,7 @@ struct LogEntry {
     std::string config_sha256;         ///< of ASSIST.json
     bool is_verified = true;           ///< Transport::isVerified()
     std::optional<Exchange> exchange;  ///< of Exchanged
-    std::optional<Error> error;        ///< of Lost and Taken
+    std::optional<Error> error;        ///< of Refused, Lost and Taken
 };
 
 Json toJson(const Exchange& exchange);

@@ -41,6 +41,14 @@ inline constexpr ErrorCode linkProgramNotWhole{
 inline constexpr ErrorCode linkProgramEmpty{"link_program_empty", ErrorKind::NoAnswer,
                                             LT_TEXT("Engine", "The program turns nothing: no feed move was found.")};
 
+inline constexpr ErrorCode linkNoProgram{
+    "link_no_program", ErrorKind::NoAnswer,
+    LT_TEXT("Engine", "D or L is to come from the program, and the control names none that is loaded.")};
+
+inline constexpr ErrorCode linkRequestNotUnderstood{
+    "link_request_not_understood", ErrorKind::NoAnswer,
+    LT_TEXT("Engine", "The control asks with {found}, expected a whole number from 1 to {most}.")};
+
 inline constexpr ErrorCode linkRefused{"link_refused", ErrorKind::NoAnswer,
                                        LT_TEXT("Engine", "The request was refused: {state}.")};
 

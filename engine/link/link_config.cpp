@@ -11,7 +11,9 @@
 #include "engine/io/json/json_strict.h"
 #include "engine/io/relative_path.h"
 #include "engine/link/link_codes.h"
+#include "engine/stability/task/speed_entry.h"
 #include "engine/stability/task/speed_task.h"
+#include "engine/task/needed.h"
 #include "engine/task/task_fields.h"
 
 namespace lathelier::link {
@@ -20,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longestComponent = 24;
+constexpr double longestHeartbeat_ms = 1000;  // a second assistant watches for 2.5 of them, see LoopSettings
 
 const auto& unknownMember = errors::linkMemberUnknown;
 
@@ -62,7 +65,7 @@ void requireAssistSchema(const io::JsonCursor& root)
     if (version.integer() != assistVersion) version.reject(std::int64_t{assistVersion});
 }
 
-Registers registersFrom(const io::JsonCursor& object)
+Registers registersFrom(const io::JsonCursor& object, double highest_rpm)
 {
     std::vector<std::string> known = readNames();
     known.insert(known.end(), writtenNames().begin(), writtenNames().end());
@@ -81,7 +84,7 @@ Registers registersFrom(const io::JsonCursor& object)
         if (all.count(name) == 0) object.at(name, LT_TEXT("Engine", "a register"));
     if (const auto name = sharedRegister(all))
         object.at(*name, {}).reject(LT_TEXT("Engine", "bytes of its own: what is written there changes another value"));
-    if (const auto one = narrowRegister(all))
+    if (const auto one = narrowRegister(all, highest_rpm))
         object.at(one->name, {}).reject(LT_TEXT("Engine", "bytes and a scale that hold each number that is written"));
     return all;
 }
@@ -92,14 +95,14 @@ bool isPath(const std::string& library)
     return library.find('/') != std::string::npos;
 }
 
-FocasSettings focasFrom(const io::JsonCursor& object, const std::string& folder)
+FocasSettings focasFrom(const io::JsonCursor& object, const std::string& folder, double highest_rpm)
 {
     io::requireMembers(object, {"library", "host", "port", "registers"}, unknownMember);
     FocasSettings made;
     Notes unused;
     made = io::readFields<FocasSettings>(object, unused, {"registers"}, made);
     if (isPath(made.library)) made.library = io::openablePath(folder, made.library);
-    made.registers = registersFrom(object.at("registers", LT_TEXT("Engine", "the registers by name")));
+    made.registers = registersFrom(object.at("registers", LT_TEXT("Engine", "the registers by name")), highest_rpm);
     return made;
 }
 
@@ -116,6 +119,35 @@ void inputsFrom(const io::JsonCursor& object, const std::string& folder, project
             source.import = io::strictValuesOf(*reading, task::readingFields(stability::speedTask()),
                                                LT_TEXT("Engine", "a reading option"), unknownMember);
     });
+}
+
+/// Values that the control states at each request, and no configuration beside it.
+void parametersFrom(const io::JsonCursor& object, project::PanelState& question)
+{
+    question.parameters = io::strictValuesOf(object, task::questionFields(stability::speedTask()),
+                                             LT_TEXT("Engine", "a parameter of speed"), unknownMember);
+    for (const char* key :
+         {stability::diameterKey, stability::barLengthKey, stability::cuttingSpeedKey, "range_m_min", "speed_rpm"})
+        if (object.member(key))
+            object.at(key, {}).reject(LT_TEXT("Engine", "nothing: the control states it at each request"));
+}
+
+/// One response, and no file that would not be used, such as a spindle beside modes.
+void requireUsed(const io::JsonCursor& root, project::PanelState question)
+{
+    const task::Task& speed = stability::speedTask();
+    const auto inputs = root.member("inputs");
+    const std::vector<std::string> given = task::givenOf(speed, question);
+    if (given.size() > 1) {
+        const bool is_file = inputs && inputs->member(given[1]);
+        (is_file ? *inputs : root.at("parameters", {}))
+            .at(given[1], {})
+            .reject(LT_TEXT("Engine", "nothing: the response is stated otherwise"));
+    }
+    if (given.empty()) set(question.parameters, stability::barLengthKey, 1.0);  // of the control
+    for (const task::Input& input : speed.inputs)
+        if (inputs && inputs->member(input.role) && task::saysNothing(speed, question, input))
+            inputs->at(input.role, {}).reject(LT_TEXT("Engine", "nothing: the response is stated otherwise"));
 }
 
 Label plain(Text label, Text help, Text in = {})
@@ -166,7 +198,7 @@ const std::vector<Field<LoopFields>>& fieldsOf(const LoopFields*)
         field("poll_ms", &L::poll_ms, Range{1, 1000},
               plain(LT_TEXT("Engine", "Polling period"), LT_TEXT("Engine", "Between two looks at the request."),
                     Text{"ms"})),
-        field("heartbeat_ms", &L::heartbeat_ms, Range{50, 60000},
+        field("heartbeat_ms", &L::heartbeat_ms, Range{50, longestHeartbeat_ms},
               plain(LT_TEXT("Engine", "Heartbeat"), LT_TEXT("Engine", "Its period."), Text{"ms"})),
         field("reconnect_ms", &L::reconnect_ms, Range{10, 600000},
               plain(LT_TEXT("Engine", "Pause"), LT_TEXT("Engine", "Before a lost link is opened again."), Text{"ms"})),
@@ -233,7 +265,9 @@ const std::vector<Field<FocasSettings>>& fieldsOf(const FocasSettings*)
 
 LoopSettings loopSettings(const LinkConfig& config, bool is_once)
 {
-    return {config.loop.poll_ms, config.loop.heartbeat_ms, config.loop.reconnect_ms, is_once};
+    LoopSettings made{config.loop.poll_ms, config.loop.heartbeat_ms, config.loop.reconnect_ms};
+    made.is_once = is_once;
+    return made;
 }
 
 LinkConfig readConfig(const std::string& text, const std::string& folder)
@@ -247,9 +281,8 @@ LinkConfig readConfig(const std::string& text, const std::string& folder)
                        unknownMember);
     LinkConfig config;
     if (const auto inputs = root.member("inputs")) inputsFrom(*inputs, folder, config.question);
-    if (const auto parameters = root.member("parameters"))
-        config.question.parameters = io::strictValuesOf(*parameters, task::questionFields(stability::speedTask()),
-                                                        LT_TEXT("Engine", "a parameter of speed"), unknownMember);
+    if (const auto parameters = root.member("parameters")) parametersFrom(*parameters, config.question);
+    requireUsed(root, config.question);
     config.limits = strictly<Limits>(root.at("limits", LT_TEXT("Engine", "the limits of the machine")));
     config.program = partOf<OfProgram>(root, "program");
     config.loop = partOf<LoopFields>(root, "loop").value_or(LoopFields{});
@@ -259,7 +292,7 @@ LinkConfig readConfig(const std::string& text, const std::string& folder)
         root.at("linuxcnc", {})
             .at("component", {})
             .reject(LT_TEXT("Engine", "1 to 24 letters, digits, hyphens or underscores, a letter first"));
-    if (const auto focas = root.member("focas")) config.focas = focasFrom(*focas, folder);
+    if (const auto focas = root.member("focas")) config.focas = focasFrom(*focas, folder, config.limits.highest_rpm);
     return config;
 }
 

@@ -7,14 +7,14 @@
 #include <thread>
 
 #include "engine/core/utc_time.h"
+#include "engine/io/file.h"
 #include "engine/link/link_codes.h"
 
 namespace lathelier::link {
 namespace {
 
-constexpr double longestSleep_ms = 20;      // between two looks at a stop
-constexpr double watchedPeriods = 2.5;      // of the heartbeat, before a control counts as free
-constexpr double heldResolution_rpm = 0.5;  // N_cor is a whole number
+constexpr double longestSleep_ms = 20;  // between two looks at a stop
+constexpr double heldResolution = 0.5;  // what is written are whole numbers
 
 std::int64_t nowMs()
 {
@@ -46,6 +46,16 @@ std::int64_t firstHeartbeat()
     return std::uniform_int_distribution<std::int64_t>(1, mostCount)(chance);
 }
 
+bool isHeld(double found, double written)
+{
+    return std::fabs(found - written) < heldResolution;
+}
+
+bool areSame(const std::optional<Error>& a, const Error& b)
+{
+    return a && a->code() == b.code() && a->values() == b.values();
+}
+
 bool areEqual(const ControlValues& a, const ControlValues& b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
@@ -75,9 +85,11 @@ void LinkLoop::tell(LinkEvent event, const std::optional<Error>& error)
 
 void LinkLoop::run(const Progress& progress)
 {
+    std::optional<Error> told;  // once, however often it happens again
     while (!progress.stopped()) {
         try {
             open(progress);
+            told.reset();
             tell(LinkEvent::Opened);
             follow(progress);
             break;
@@ -85,8 +97,9 @@ void LinkLoop::run(const Progress& progress)
             break;
         } catch (const Error& error) {
             const bool is_taken = error.code() == errors::linkTaken;
-            tell(is_taken ? LinkEvent::Taken : LinkEvent::Lost, error);
             transport_.close();
+            if (!areSame(told, error)) tell(is_taken ? LinkEvent::Taken : LinkEvent::Lost, error);
+            told = error;
             if (is_taken || settings_.is_once) throw;
         }
         try {
@@ -107,14 +120,16 @@ void LinkLoop::open(const Progress& progress)
     heartbeat_ = 0;
     nextBeat_ms_ = nowMs();
     notUnderstood_.reset();
-    const double answered = transport_.read({answeredName}).at(answeredName);
+    const ControlValues found = transport_.read({stateName, answeredName});
+    const double answered = found.at(answeredName);
     answered_ = isRequest(answered) ? static_cast<std::int64_t>(answered) : 0;
+    isIdle_ = answered == 0 && found.at(stateName) == static_cast<double>(State::Idle);
 }
 
 /// A heartbeat that goes on without this assistant is that of another one.
 void LinkLoop::requireAlone(const Progress& progress)
 {
-    const std::int64_t end = nowMs() + static_cast<std::int64_t>(watchedPeriods * settings_.heartbeat_ms);
+    const std::int64_t end = nowMs() + static_cast<std::int64_t>(settings_.watch_ms);
     const double first = transport_.read({heartbeatName}).at(heartbeatName);
     while (nowMs() < end) {
         wait(settings_.poll_ms, progress);
@@ -156,14 +171,12 @@ bool LinkLoop::poll(const Progress& progress)
     const double request = transport_.read({requestName}).at(requestName);
     if (request == 0) {
         notUnderstood_.reset();
-        if (answered_ != 0) finish(0, State::Idle);
+        if (!isIdle_) finish(0, State::Idle);
         return false;
     }
     if (!isRequest(request)) {
-        const bool is_told = notUnderstood_ && (*notUnderstood_ == request || std::isnan(request));
-        if (!is_told) transport_.write(stateName, static_cast<double>(State::NotUnderstood));
-        notUnderstood_ = request;
-        return false;
+        refuseRequest(request);
+        return true;
     }
     if (static_cast<std::int64_t>(request) == answered_) {
         // A control that started anew between the two writes of finish() asks again under the same number.
@@ -172,6 +185,17 @@ bool LinkLoop::poll(const Progress& progress)
     }
     exchange(static_cast<std::int64_t>(request), progress);
     return answered_ == static_cast<std::int64_t>(request);
+}
+
+/// A request that is no number of one cannot be answered: its state is told.
+void LinkLoop::refuseRequest(double request)
+{
+    if (notUnderstood_ && (*notUnderstood_ == request || std::isnan(request))) return;
+    notUnderstood_ = request;
+    hold(stateName, static_cast<double>(State::NotUnderstood));
+    isIdle_ = false;
+    tell(LinkEvent::Refused,
+         Error(errors::linkRequestNotUnderstood, {{"found", request}, {"most", std::int64_t{mostCount}}}));
 }
 
 ControlValues LinkLoop::readAll()
@@ -193,39 +217,70 @@ void LinkLoop::exchange(std::int64_t request, const Progress& progress)
     const std::optional<std::string> program =
         assistant_.needsProgram(made.read) ? transport_.loadedProgram() : std::nullopt;
     made.reply = assistant_.answer(made.read, program, progress);
-    const ControlValues again = readAll();
-    if (again.at(requestName) != static_cast<double>(request)) return;
-    if (!areEqual(again, made.read)) {
-        const auto running = again.find(runningName);
-        const bool runs = running != again.end() && running->second != 0;
-        made.reply.state = runs ? State::Running : State::Changed;
-        made.reply.n_cor_rpm.reset();
-    }
-    write(made);
+    if (!stillStands(made)) return;
+    if (made.reply.state == State::Ok && !write(made)) return;
+    finish(made.request, made.reply.state);
     const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
     made.duration_ms = taken.count();
     last_ = std::move(made);
     tell(LinkEvent::Exchanged);
 }
 
-void LinkLoop::write(Exchange& made)
+/// False: the control has taken the request back. What the answer rests on and has changed refuses it.
+bool LinkLoop::stillStands(Exchange& made)
 {
-    if (made.reply.n_cor_rpm) {
-        made.written_rpm = made.reply.n_cor_rpm;
-        transport_.write(correctedName, *made.written_rpm);
-        made.read_back_rpm = transport_.read({correctedName}).at(correctedName);
-        if (!(std::fabs(*made.read_back_rpm - *made.written_rpm) < heldResolution_rpm))
-            made.reply.state = State::NotWritten;
+    const ControlValues again = readAll();
+    if (again.at(requestName) != static_cast<double>(made.request)) return false;
+    const auto refuse = [&made](State state) {
+        made.reply.state = state;
+        made.reply.n_cor_rpm.reset();
+    };
+    const auto running = again.find(runningName);
+    if (!areEqual(again, made.read))
+        refuse(running != again.end() && running->second != 0 ? State::Running : State::Changed);
+    else if (made.reply.program && !isLoaded(*made.reply.program))
+        refuse(State::Changed);
+    return true;
+}
+
+bool LinkLoop::isLoaded(const ProgramBar& program)
+{
+    if (transport_.loadedProgram() != program.path) return false;
+    try {
+        return io::fileSha256(program.path) == program.sha256;
+    } catch (const Error&) {
+        return false;
     }
-    finish(made.request, made.reply.state);
+}
+
+/// N_cor, while the state lets none hold. False: the request was taken back meanwhile.
+bool LinkLoop::write(Exchange& made)
+{
+    hold(stateName, static_cast<double>(State::Idle));
+    made.written_rpm = made.reply.n_cor_rpm;
+    transport_.write(correctedName, *made.written_rpm);
+    made.read_back_rpm = transport_.read({correctedName}).at(correctedName);
+    if (isHeld(*made.read_back_rpm, *made.written_rpm)) return stillStands(made);
+    made.reply.state = State::NotWritten;
+    return true;
 }
 
 /// State first: N_cor holds from `answered` on.
 void LinkLoop::finish(std::int64_t request, State state)
 {
-    transport_.write(stateName, static_cast<double>(state));
-    transport_.write(answeredName, static_cast<double>(request));
+    hold(stateName, static_cast<double>(state));
+    hold(answeredName, static_cast<double>(request));
     answered_ = request;
+    isIdle_ = request == 0;
+}
+
+/// Written and read back: a state that the control does not keep would let an earlier N_cor hold.
+void LinkLoop::hold(const char* name, double value)
+{
+    transport_.write(name, value);
+    if (isHeld(transport_.read({name}).at(name), value)) return;
+    throw Error(errors::linkLost,
+                {{"peer", transport_.peer()}, {"reason", LT_TEXT("Engine", "it does not keep what is written")}});
 }
 
 Replayed replay(const std::vector<LoggedExchange>& log, Assistant& assistant, const Progress& progress)

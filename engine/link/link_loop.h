@@ -2,13 +2,14 @@
 //
 //  lost ◄──── any error of the transport ────┐
 //   │ again after reconnect_ms               │
-//   └─► opening ─► linked: poll the request ─► exchange: read, answer, read again, write N_cor, read it back,
-//                    ▲        heartbeat                  write state, write answered
+//   └─► opening ─► linked: poll the request ─► exchange: read, answer, read again, state 0, N_cor, read again,
+//                    ▲        heartbeat                  state, answered; each is read back
 //                    └──────────────────────────────────────┘
 //
 // Nothing but N_cor, state, answered and heartbeat is written, and N_cor only where the request and the values still
-// are what was answered. A link that is cut at any moment leaves `answered` at another number than the request, so that
-// the control does not take what was written; once it is linked again the request that stands is answered anew.
+// are what was answered; they are looked at once more before the state lets it hold. A link that is cut at any moment
+// leaves `answered` at another number than the request, so that the control does not take what was written; once it is
+// linked again the request that stands is answered anew.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +28,7 @@ struct LoopSettings {
     double poll_ms = 10;        ///< between two looks at the request
     double heartbeat_ms = 500;  ///< period of the heartbeat
     double reconnect_ms = 500;  ///< before a lost link is opened again
+    double watch_ms = 2500;     ///< for the heartbeat of another assistant: 2.5 of the longest period
     bool is_once = false;       ///< ends after the first request was answered; a link that fails ends it too
 };
 
@@ -41,7 +43,7 @@ public:
     /// those of the transport besides.
     void run(const Progress& progress);
 
-    /// The last exchange; none yet.
+    /// The last exchange; none yet, or the request was none.
     const std::optional<Exchange>& last() const { return last_; }
 
 private:
@@ -51,8 +53,12 @@ private:
     bool poll(const Progress& progress);
     void beat();
     void exchange(std::int64_t request, const Progress& progress);
-    void write(Exchange& made);
+    void refuseRequest(double request);
+    bool stillStands(Exchange& made);
+    bool isLoaded(const ProgramBar& program);
+    bool write(Exchange& made);
     void finish(std::int64_t request, State state);
+    void hold(const char* name, double value);
     ControlValues readAll();
     void tell(LinkEvent event, const std::optional<Error>& error = {});
 
@@ -61,6 +67,7 @@ private:
     LoopSettings settings_;
     Tell tell_;
     std::int64_t answered_ = 0;            ///< as it stands in the control
+    bool isIdle_ = false;                  ///< state and `answered` in the control are those without a request
     std::optional<double> notUnderstood_;  ///< request that is no number of a request and was told to be so
     std::int64_t heartbeat_ = 0;           ///< as it was written last; 0: not yet
     std::int64_t nextBeat_ms_ = 0;         ///< by the steady clock

@@ -32,11 +32,12 @@ ProgramBar barOfProgram(const std::string& path, const OfProgram& asked, const P
 {
     try {
         const io::FileBytes file(path, progress);
-        ProgramBar bar{path, io::sha256(file.view()), 0, 0};
+        ProgramBar bar{path, io::sha256(file.view()), 0, 0, {}};
         gcode::Program program = gcode::readProgram(std::string(file.view()), nullptr, progress,
                                                     std::filesystem::path(path).filename().string());
         const gcode::Toolpath toolpath = gcode::findToolpath(program, {}, {}, progress);
         requireWhole(toolpath);
+        bar.assumed = toolpath.understanding.assumed;
         double least = INFINITY;
         double greatest = -INFINITY;
         for (const gcode::Move& move : toolpath.moves) {

@@ -38,7 +38,7 @@ std::optional<std::string> sharedRegister(const Registers& registers)
     return std::nullopt;
 }
 
-std::optional<NotHeld> narrowRegister(const Registers& registers)
+std::optional<NotHeld> narrowRegister(const Registers& registers, double highest_rpm)
 {
     const Register& request = registers.at(requestName);
     const double greatest_request =
@@ -47,9 +47,12 @@ std::optional<NotHeld> narrowRegister(const Registers& registers)
                                {heartbeatName, 1},
                                {stateName, static_cast<double>(State::Ok)},
                                {stateName, static_cast<double>(State::NotModelled)},
+                               {correctedName, highest_rpm},
                                {answeredName, 1},
                                {answeredName, greatest_request}})
         if (!heldNumber(one.name, registers.at(one.name), one.value)) return one;
+    // Each whole number of 1/min has one of its own.
+    if (std::fabs(registers.at(correctedName).scale) > 1) return NotHeld{correctedName, highest_rpm};
     return std::nullopt;
 }
 

@@ -38,6 +38,6 @@ struct NotHeld {
 
 /// Of states, heartbeats and the numbers of those requests that the control can state; none: all are held. The
 /// registers that the link needs have to be there.
-std::optional<NotHeld> narrowRegister(const Registers& registers);
+std::optional<NotHeld> narrowRegister(const Registers& registers, double highest_rpm = 1);
 
 }  // namespace lathelier::link

@@ -15,8 +15,8 @@ class Transport {
 public:
     virtual ~Transport() = default;
 
-    /// Connects; returns within the time-out. Errors: linkNotFound (nothing answers, no library), linkTaken (another
-    /// assistant is linked to this control), linkProtocol.
+    /// Connects; returns within the time-out, but for the system that looks up the name of a host. Errors: linkNotFound
+    /// (nothing answers, no library), linkTaken (another assistant is linked to this control), linkProtocol.
     virtual void open() = 0;
 
     /// The values of these names as they stand at one moment, as far as the control can give them so; a register that
@@ -42,7 +42,7 @@ public:
     /// Whether open() itself refuses a second assistant; else the heartbeat is watched before anything is written.
     virtual bool isExclusive() const = 0;
 
-    /// "127.0.0.1:7660", "HAL component lathelier"
+    /// "127.0.0.1:7660", "HAL lathelier"
     virtual std::string peer() const = 0;
 
     /// Whether this kind of link was verified on a real control.

@@ -68,7 +68,9 @@ void ControlLink::take(std::int64_t run, const link::LogEntry& entry)
         status_ = Status::Lost;
         error_ = entry.error;
     }
+    if (entry.event == link::LinkEvent::Refused) error_ = entry.error;
     if (entry.exchange) {
+        error_.reset();
         last_ = entry.exchange;
         emit exchanged();
     }

@@ -17,13 +17,6 @@ namespace {
 constexpr char lostInk[] = "color: #d0463b;";
 constexpr const char* simulatedKind = "loopback";
 
-/// The question without what a control states.
-project::PanelState machineOf(project::PanelState question)
-{
-    for (const FieldInfo& info : stability::screenFields()) stability::enterValue(question.parameters, info.key, {});
-    return question;
-}
-
 }  // namespace
 
 LinkBar::LinkBar(QWidget* parent)
@@ -69,7 +62,8 @@ LinkBar::LinkBar(QWidget* parent)
 
 void LinkBar::setQuestion(const std::optional<project::PanelState>& question)
 {
-    const bool is_other = question && question_ && machineOf(*question) != machineOf(*question_);
+    const bool is_other =
+        question && question_ && link::machineQuestion(*question) != link::machineQuestion(*question_);
     question_ = question;
     const ControlLink::Status status = link_.status();
     if (is_other && status != ControlLink::Status::Off && status != ControlLink::Status::Refused)
@@ -130,6 +124,7 @@ QString LinkBar::stateText() const
         case Status::Lost:
         case Status::Refused: return link_.error() ? screenText(*link_.error()) : QString();
     }
+    if (link_.error()) return screenText(*link_.error());
     if (!link_.last()) return tr("Linked to %1: waiting for a request.").arg(peer);
     const link::Exchange& last = *link_.last();
     if (last.reply.state != link::State::Ok)

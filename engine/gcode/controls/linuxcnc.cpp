@@ -95,8 +95,11 @@ Control linuxCnc()
     control.g = wordsOfLinuxCnc();
     addWords(control.m, M::End, {2, 30});
     addWords(control.m, M::Spindle, {3, 4});
-    addWords(control.m, M::NoEffect, {0,  1,  5,  6,  7,  8,  9,  19, 48, 49, 50, 51, 52, 53, 60,
-                                      61, 62, 63, 64, 65, 66, 67, 68, 70, 71, 72, 73, 98, 99});
+    addWords(control.m, M::NoEffect,
+             {0, 1, 5, 6, 7, 8, 9, 19, 48, 49, 50, 51, 52, 53, 60, 61, 62, 63, 64, 65, 66, 67, 68, 70, 71, 72, 73});
+    addWords(control.m, M::CallProgram, {98});
+    addWords(control.m, M::Return, {99});
+    control.call_stands_alone = true;
     addWords(control.m, M::NoEffect, 100, 199);  // assigned by the user
     addWords(control.letters, Letter::Always, "NOFSTLXZ");
     addWords(control.letters, Letter::InBlock, "IKRPQDHEJ");

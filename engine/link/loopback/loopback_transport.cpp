@@ -37,6 +37,18 @@ public:
 
 private:
     std::string ask(Message message);
+    /// What the check makes of an answer; one that it refuses ends the link with linkProtocol.
+    template <class Check>
+    auto checked(const std::string& answer, const Value& expected, const Check& check)
+    {
+        try {
+            return check(answer);
+        } catch (const Error&) {
+            close();
+            throw Error(errors::linkProtocol,
+                        {{"peer", peer()}, {"found", answer.substr(0, shownAnswer)}, {"expected", expected}});
+        }
+    }
     error_code waitFor(const std::function<void(std::function<void(error_code)>)>& begin);
     [[noreturn]] void lose(const error_code& why);
 
@@ -88,7 +100,8 @@ void LoopbackTransport::open()
     isOpen_ = true;
     error_code ignored;
     socket_.set_option(tcp::no_delay(true), ignored);
-    ask({0, Ask::Hello, {}, {}, 0});
+    checked(ask({0, Ask::Hello, {}, {}, 0}), LT_TEXT("Engine", "a control of version 1 of the messages"),
+            [this](const std::string& answer) { requireHello(answer, id_); });
 }
 
 /// Sends the message and gives its answer. Errors as read().
@@ -104,20 +117,18 @@ std::string LoopbackTransport::ask(Message message)
     why = waitFor([&](auto end) {
         asio::async_read_until(socket_, received_, '\n', [end](error_code code, std::size_t) { end(code); });
     });
+    if (why == asio::error::not_found) {  // no end of the line within the longest message
+        close();
+        throw Error(errors::linkProtocol, {{"peer", peer()},
+                                           {"found", LT_TEXT("Engine", "a longer line")},
+                                           {"expected", LT_TEXT("Engine", "shorter lines")}});
+    }
     if (why) lose(why);
     std::string answer;
     std::istream stream(&received_);
     std::getline(stream, answer);
-    std::string refusal;
-    try {
-        refusal = errorFrom(answer, message.id);
-    } catch (const Error&) {
-        close();
-        throw Error(errors::linkProtocol,
-                    {{"peer", peer()},
-                     {"found", answer.substr(0, shownAnswer)},
-                     {"expected", LT_TEXT("Engine", "a JSON object with the id of the question")}});
-    }
+    const std::string refusal = checked(answer, LT_TEXT("Engine", "a JSON object with the id of the question"),
+                                        [&message](const std::string& one) { return errorFrom(one, message.id); });
     if (refusal == "taken") {
         close();
         throw Error(errors::linkTaken, {{"peer", peer()}});
@@ -133,20 +144,14 @@ std::string LoopbackTransport::ask(Message message)
 
 ControlValues LoopbackTransport::read(const std::vector<std::string>& names)
 {
-    const std::string answer = ask({0, Ask::Read, names, {}, 0});
-    try {
-        return valuesFrom(answer, id_, names);
-    } catch (const Error&) {
-        close();
-        throw Error(errors::linkProtocol, {{"peer", peer()},
-                                           {"found", answer.substr(0, shownAnswer)},
-                                           {"expected", LT_TEXT("Engine", "numbers by name")}});
-    }
+    return checked(ask({0, Ask::Read, names, {}, 0}), LT_TEXT("Engine", "numbers by name"),
+                   [&](const std::string& answer) { return valuesFrom(answer, id_, names); });
 }
 
 void LoopbackTransport::write(const std::string& name, double value)
 {
-    ask({0, Ask::Write, {}, name, value});
+    checked(ask({0, Ask::Write, {}, name, value}), LT_TEXT("Engine", "that it was written"),
+            [this](const std::string& answer) { requireWritten(answer, id_); });
 }
 
 std::optional<std::string> LoopbackTransport::loadedProgram()

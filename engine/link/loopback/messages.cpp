@@ -49,6 +49,10 @@ Message messageFrom(const std::string& line)
     Message made;
     made.id = root.at("id", LT_TEXT("Engine", "the number of the message")).integer();
     made.ask = askFrom(root.at("do", std::string("hello | read | write | program")));
+    if (made.ask == Ask::Hello) {
+        const io::JsonCursor version = root.at("version", std::int64_t{messageVersion});
+        if (version.integer() != messageVersion) version.reject(std::int64_t{messageVersion});
+    }
     if (made.ask == Ask::Read)
         root.at("names", LT_TEXT("Engine", "names of values")).items(mostNames, [&](const io::JsonCursor& item) {
             made.names.push_back(item.string());
@@ -77,6 +81,20 @@ ControlValues valuesFrom(const std::string& line, std::int64_t id, const std::ve
         read[name] = value ? value->number() : notANumber;
     }
     return read;
+}
+
+void requireHello(const std::string& line, std::int64_t id)
+{
+    const io::JsonDocument document(line);
+    const io::JsonCursor version = answerOf(document, id).at("version", std::int64_t{messageVersion});
+    if (version.integer() != messageVersion) version.reject(std::int64_t{messageVersion});
+}
+
+void requireWritten(const std::string& line, std::int64_t id)
+{
+    const io::JsonDocument document(line);
+    const io::JsonCursor written = answerOf(document, id).at("written", std::string("true"));
+    if (!written.flag()) written.reject(std::string("true"));
 }
 
 std::string programFrom(const std::string& line, std::int64_t id)

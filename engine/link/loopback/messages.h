@@ -43,6 +43,11 @@ ControlValues valuesFrom(const std::string& line, std::int64_t id, const std::ve
 /// The error that an answer states; empty: none. Errors malformed, keyMissing; another id is malformed.
 std::string errorFrom(const std::string& line, std::int64_t id);
 
+/// Whether it is the answer of a control that speaks this version, or says that the value was written. Errors
+/// malformed, keyMissing.
+void requireHello(const std::string& line, std::int64_t id);
+void requireWritten(const std::string& line, std::int64_t id);
+
 /// The program that an answer states; empty: none.
 std::string programFrom(const std::string& line, std::int64_t id);
 

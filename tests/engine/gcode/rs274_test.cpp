@@ -106,6 +106,28 @@ TEST(Rs274, ThreadingCyclesMoveAlike)
                         folder);
 }
 
+TEST(Rs274, ProgramsThatAreCalledByM98MoveAlike)
+{
+    const std::string head = "G18 G21 G90 G7\nG97 S500 M3\nG0 X36 Z2\nG1 X32 Z2 F0.2\n";
+    const std::string cut = "O100\nG1 Z-5\nM99\n";
+    const ScratchFolder folder;
+    expectSameMoves("O1\n" + head + "M98 P100\nM5\nM30\n" + cut, folder);
+    expectSameMoves(head + "M98 P100 L3\nM2\nO100\nG91\nG1 Z-5\nG90\nM99\n", folder);
+    expectSameMoves(head + "M98 P100 L0\nG1 Z-1\nM2\n" + cut, folder);
+    expectSameMoves(head + "M98 P100\nM98 P200 L2\nM2\nO100\nG1 Z-5\nM98 P200\nM99\nO200\nG91\nG1 X-1\nG90\nM99\n",
+                    folder);
+    expectSameMoves(head + "#1=3\nM98 P100\nG1 Z#1\nM2\nO100\n#1=-9\nG1 Z#1\nM99\n",
+                    folder);  // no variables of its own
+    // What it refuses is not taken for understood.
+    for (const std::string& program :
+         {head + "M98 P300\nM2\n", head + "M98 P100 Q3\nM2\n" + cut, head + "o100 call\nM2\n" + cut,
+          head + "M98 P100\nM2\no100 sub\nG1 Z-5\no100 endsub\n", head + "M98 P100\nM2\nO100\nG1 Z-5\nM99 P20\n"}) {
+        EXPECT_FALSE(madeByLinuxCnc(program, folder.path(), true)) << program;
+        const Toolpath path = pathOf(program, "linuxcnc");
+        EXPECT_TRUE(path.has_errors || path.understanding.first() != nullptr) << program;
+    }
+}
+
 TEST(Rs274, RandomProgramsMoveAlike)
 {
     const ScratchFolder folder;

@@ -6,6 +6,7 @@
 
 #include "engine/link/link_codes.h"
 #include "engine/link/program_bar.h"
+#include "engine/stability/task/speed_entry.h"
 #include "tests/engine/link/paper_case.h"
 
 namespace lathelier::link {
@@ -76,6 +77,38 @@ TEST(Assistant, refuses_what_is_missing_or_no_number)
     EXPECT_EQ(answerTo(with(speedName, 0)).state, State::NotUnderstood);
     EXPECT_EQ(answerTo(with(diameterName, NAN)).state, State::NotUnderstood);
     EXPECT_EQ(answerTo(with(depthName, INFINITY)).state, State::NotUnderstood);
+}
+
+TEST(Assistant, needs_the_overhang_of_a_bar)
+{
+    const LinkConfig config = readConfig(barConfigText(R"("loop": {})"), ".");
+    EXPECT_EQ(paperAssistant(config).answer(paperValues(), std::nullopt, {}).state, State::NotUnderstood);
+}
+
+TEST(Assistant, judges_by_the_depth_where_the_control_states_one)
+{
+    LinkConfig config = paperConfig(1);
+    set(config.question.parameters, "cutting_coefficient_N_mm2", 600.0);
+    EXPECT_EQ(paperAssistant(config).answer(paperValues(), std::nullopt, {}).n_cor_rpm, paperCorrected_rpm);
+    const Reply deep = paperAssistant(config).answer(with(depthName, 1), std::nullopt, {});
+    EXPECT_EQ(deep.state, State::Ok);
+    EXPECT_NE(deep.n_cor_rpm, paperCorrected_rpm);
+    set(config.question.parameters, depthName, 1.0);  // of the configuration: told
+    const Reply assumed = paperAssistant(config).answer(paperValues(), std::nullopt, {});
+    EXPECT_EQ(assumed.n_cor_rpm, deep.n_cor_rpm);
+    ASSERT_FALSE(assumed.assumed.empty());
+    EXPECT_EQ(assumed.assumed.back().what, depthName);
+    EXPECT_EQ(assumed.assumed.back().value, "1");
+}
+
+TEST(Assistant, takes_no_value_of_the_operators_screen_from_the_configuration)
+{
+    LinkConfig config = paperConfig(1);
+    stability::enterValue(config.question.parameters, highestName, 300.0);
+    set(config.question.parameters, "speed_rpm", 1000.0);
+    const Reply reply = paperAssistant(config).answer(paperValues(), std::nullopt, {});
+    EXPECT_NEAR(reply.selected_rpm.value(), paperSelected_rpm, 0.1);
+    EXPECT_EQ(reply.n_cor_rpm, paperCorrected_rpm);
 }
 
 TEST(Assistant, says_that_no_speed_of_the_range_is_stable)

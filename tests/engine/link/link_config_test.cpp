@@ -28,7 +28,7 @@ std::string withPart(const std::string& part)
 
 TEST(LinkConfig, written_and_read_is_the_same)
 {
-    LinkConfig config = readConfig(withPart(R"("program": {"clearance_mm": 12}, "linuxcnc": {"component": "lath"},
+    LinkConfig config = readConfig(barConfigText(R"("program": {"clearance_mm": 12}, "linuxcnc": {"component": "lath"},
         "inputs": {"spindle": {"path": "machines/spindle.json"}})"),
                                    "/shop");
     EXPECT_EQ(config.question.inputs.at("spindle").path, "/shop/machines/spindle.json");
@@ -68,6 +68,20 @@ TEST(LinkConfig, refuses_a_member_that_it_does_not_know_by_its_place)
     EXPECT_EQ(std::get<std::int64_t>(*find(error.values(), "line")), 2);
     EXPECT_EQ(refusalOf(withPart(R"("loopback": {"hots": "a"})")).code(), errors::linkMemberUnknown);
     EXPECT_EQ(refusalOf(withPart(R"("inputs": {"copy": {"path": "a"}})")).code(), errors::linkMemberUnknown);
+}
+
+TEST(LinkConfig, refuses_what_the_control_states_and_what_would_not_be_used_by_its_place)
+{
+    const auto line = [](const std::string& text) {
+        const Error error = refusalOf(text);
+        EXPECT_EQ(std::string(error.code().key), "malformed") << text;
+        return std::get<std::int64_t>(*find(error.values(), "line"));
+    };
+    for (const char* stated : {"length_mm", "diameter_mm", "cutting_speed_m_min", "speed_rpm"})
+        EXPECT_EQ(line(barConfigText(fmt::format("\n\"parameters\": {{\n\"{}\": 30}}", stated))), 3) << stated;
+    EXPECT_EQ(line(barConfigText("\n\"parameters\": {\"range_m_min\": [{\"from\": 200, \"to\": 350}]}")), 2);
+    EXPECT_EQ(line(configText("\n\"inputs\": {\n\"spindle\": {\"path\": \"spindle.json\"}}")), 6);  // beside modes
+    EXPECT_EQ(line(configText("\n\"inputs\": {\n\"shaft\": {\"path\": \"shaft.json\"}}")), 2);  // the mode
 }
 
 TEST(LinkConfig, needs_the_highest_speed_of_the_machine)
@@ -122,6 +136,8 @@ TEST(LinkConfig, refuses_written_registers_that_share_a_byte_by_their_place)
 
 TEST(LinkConfig, refuses_registers_that_cannot_hold_what_is_written)
 {
+    for (const char* place : {R"({"address": 1100, "bytes": 1})", R"({"address": 1100, "bytes": 4, "scale": 10})"})
+        EXPECT_EQ(std::string(refusalOf(withRegister("n_cor_rpm", place)).code().key), "malformed") << place;
     EXPECT_EQ(std::string(refusalOf(withRegister("heartbeat", R"({"address": 1108, "bytes": 1})")).code().key),
               "malformed");
     EXPECT_EQ(std::string(refusalOf(withRegister("state", R"({"address": 1104, "bytes": 2, "scale": 10})")).code().key),

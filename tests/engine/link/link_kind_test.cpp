@@ -22,7 +22,8 @@ TEST(LinkKind, says_which_controls_are_linked_and_what_answers)
 {
     const ScratchFolder scratch;
     const std::string path = (scratch / "assist.json").string();
-    io::writeFile(path, configText(R"("inputs": {"spindle": {"path": "spindle.json"}}, "program": {"clearance_mm": 20},
+    io::writeFile(path,
+                  barConfigText(R"("inputs": {"spindle": {"path": "spindle.json"}}, "program": {"clearance_mm": 20},
         "loopback": {"port": 7660}, "linuxcnc": {"component": "lathe"})"));
     const io::FileKind& kind = assistFiles();
     EXPECT_EQ(io::findKind({&kind}, path).likeness, io::Likeness::Certain);

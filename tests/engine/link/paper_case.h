@@ -22,6 +22,12 @@ inline constexpr double paperSpeed_m_min = 290;
 inline constexpr double paperSelected_rpm = 2884.7;  // 1000 v_c / (π D)
 inline constexpr double paperCorrected_rpm = 3237;
 
+/// Of the bar D × L, without a response of its own.
+inline std::string barConfigText(const std::string& more)
+{
+    return R"({"schema": "lathelier-assist", "schema_version": 1, "limits": {"highest_rpm": 6000}, )" + more + "}";
+}
+
 inline std::string configText(const std::string& more = R"("loopback": {"host": "127.0.0.1", "port": 1})")
 {
     return R"({"schema": "lathelier-assist", "schema_version": 1,

@@ -17643,6 +17643,38 @@
         <source>Links to controls</source>
         <translation>Połączenia ze sterowaniem</translation>
     </message>
+    <message>
+        <source>D or L is to come from the program, and the control names none that is loaded.</source>
+        <translation>D albo L ma pochodzić z programu, a sterowanie nie podaje żadnego wczytanego.</translation>
+    </message>
+    <message>
+        <source>The control asks with {found}, expected a whole number from 1 to {most}.</source>
+        <translation>Sterowanie pyta liczbą {found}, oczekiwano liczby całkowitej od 1 do {most}.</translation>
+    </message>
+    <message>
+        <source>nothing: the control states it at each request</source>
+        <translation>niczego: sterowanie podaje to przy każdym pytaniu</translation>
+    </message>
+    <message>
+        <source>nothing: the response is stated otherwise</source>
+        <translation>niczego: odpowiedź układu podano inaczej</translation>
+    </message>
+    <message>
+        <source>it does not keep what is written</source>
+        <translation>nie zachowuje tego, co zapisano</translation>
+    </message>
+    <message>
+        <source>a control of version 1 of the messages</source>
+        <translation>sterowanie z wersją 1 wiadomości</translation>
+    </message>
+    <message>
+        <source>a longer line</source>
+        <translation>dłuższy wiersz</translation>
+    </message>
+    <message>
+        <source>that it was written</source>
+        <translation>potwierdzenie zapisu</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

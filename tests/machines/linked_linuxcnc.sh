@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # The assistant linked to a real LinuxCNC that simulates a lathe without a screen: an operator's commands write the pins,
 # ask, read N_cor back and turn the spindle at it.
-#   linked_linuxcnc.sh LATHELIER_CLI
+# Configuration, wiring and NC program are those of the manual's page "The assistant at the machine".
+#   linked_linuxcnc.sh LATHELIER_CLI PAGE.md
 set -euo pipefail
 cli=$(realpath "$1")
+page=$(realpath "$2")
 here=$(dirname "$(realpath "$0")")/linuxcnc
 
 # An ordinary user's: the real-time side refuses root.
@@ -13,16 +15,19 @@ cp "$cli" "$folder/lathelier-cli"
 cd "$folder"
 export LC_ALL=C.UTF-8 HOME=$folder PATH=/usr/sbin:/usr/bin:/sbin:/bin
 as_user() { if ((EUID == 0)); then setpriv --reuid=nobody --regid=nogroup --clear-groups "$@"; else "$@"; fi; }
-fail() { echo "FAILED: $*" >&2; tail -n 30 linuxcnc.log log.jsonl >&2 || true; exit 1; }
+fail() { echo "FAILED: $*" >&2; tail -n 5 linuxcnc.log log.jsonl | cut -c1-300 >&2 || true; exit 1; }
 soon() { for _ in $(seq 100); do "$@" > /dev/null 2>&1 && return 0; sleep 0.1; done; fail "not within ten seconds: $*"; }
 
 # What was started in this folder, its real-time part too, which belongs to root.
 kill_linuxcnc() {
     local pid
     for pid in $(pgrep -x 'linuxcnc|linuxcncrsh|linuxcncsvr|milltask|io|rtapi_app|halcmd' || true); do
-        tr '\0' '\n' < "/proc/$pid/environ" 2> /dev/null | grep -qF "$folder" && kill -9 "$pid" || true
+        { tr '\0' '\n' < "/proc/$pid/environ"; } 2> /dev/null | grep -qF "$folder" && kill -9 "$pid" || true
     done
 }
+
+# block LANGUAGE: the blocks of the page in it.
+block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$page" | grep -v '^```'; }
 
 control=
 assistant=
@@ -30,7 +35,7 @@ stop() {
     set +e
     [[ -n $control ]] && kill "$control" 2> /dev/null
     for _ in $(seq 100); do kill -0 "$control" 2> /dev/null || break; sleep 0.1; done
-    [[ -n $assistant ]] && kill "$assistant" 2> /dev/null
+    pkill -f "$folder/lathelier-cli"
     kill_linuxcnc
     as_user halrun -U > /dev/null 2>&1
     sleep 0.3
@@ -61,8 +66,20 @@ cat > assistant.sh << END
 exec $folder/lathelier-cli assist --link linuxcnc --config $folder/assist.json --log $folder/log.jsonl
 END
 chmod 755 assistant.sh lathelier-cli
-sed -i "s#ASSISTANT#$folder/assistant.sh#" lathe.hal
+block hal | sed "s#lathelier-cli .*#$folder/assistant.sh#" >> lathe.hal
+grep -q "net assist-run" lathe.hal && grep -q "assistant.sh" lathe.hal || fail "the page has no wiring"
+{ block ngc; echo "G4 P0.5"; echo M5; echo M2; } > stable_speed.ngc
+grep -q "call \[32\]" stable_speed.ngc || fail "the page has no NC program"
+sed 's/call \[32\]/call [-32]/' stable_speed.ngc > refused.ngc
+block json | head -7 > page.json
+./lathelier-cli inspect page.json > /dev/null || fail "the configuration of the page"
 if ((EUID == 0)); then chown -R nobody:nogroup "$folder"; fi
+
+# Without a machine, as the page begins.
+mkdir try
+(cd try && block sh | sed '/^sudo /,$d' > ../try.sh && PATH=$folder:$PATH bash -euo pipefail ../try.sh) > try.txt 2>&1 ||
+    fail "the page's try: $(cat try.txt)"
+grep -q "3237" try.txt && grep -q "1 exchanges, 0 answered otherwise" try.txt || fail "the page's try: $(cat try.txt)"
 
 as_user linuxcnc "$folder/lathe.ini" > linuxcnc.log 2>&1 &
 control=$!
@@ -138,6 +155,25 @@ done
 [[ $(grep -c '"event":"exchange"' log.jsonl) == 55 ]] || fail "exchanges: $(grep -c '"event":"exchange"' log.jsonl)"
 ./lathelier-cli assist --replay log.jsonl --config assist.json || fail "the log is answered otherwise"
 
+# The NC program of the page: the spindle turns at the stable speed; where the request is refused it does not turn.
+run() {
+    : > "$2"
+    say "set mode auto"
+    sleep 0.3
+    say "set open $folder/$1"
+    sleep 0.5
+    say "set run"
+    for _ in $(seq 25); do pin spindle.0.speed-out >> "$2"; sleep 0.1; done
+    say "set mode mdi"
+    sleep 0.3
+}
+run stable_speed.ngc speeds
+grep -qE "^3237(\.0*)?$" speeds || fail "the NC program of the page: $(sort -u speeds | tr '\n' ' ')"
+is lathelier.state 0 || fail "state $(pin lathelier.state) without a request"
+run refused.ngc speeds
+grep -qvE "^0(\.0*)?$" speeds && fail "the spindle turned though the request was refused"
+tail -n 1 log.jsonl | grep -q '"state_name":"out_of_range"' || fail "not refused: $(tail -n 1 log.jsonl)"
+
 # LinuxCNC ends, and the assistant with it.
 say "shutdown"
 exec 3>&-
@@ -152,7 +188,7 @@ as_user ./lathelier-cli assist --link linuxcnc --config assist.json --once > /de
 
 # A LinuxCNC that is killed is noticed, and the same assistant is linked to the next one. It is started by hand here: its
 # pins are not wired, and a machine whose `running` is not wired counts as one that runs.
-sed -i '/loadusr -Wn lathelier/,$d' lathe.hal
+cp "$here/lathe.hal" lathe.hal
 start() {
     as_user linuxcnc "$folder/lathe.ini" > linuxcnc.log 2>&1 &
     control=$!
@@ -161,7 +197,7 @@ start() {
 opened() { (($(grep -c '"event":"opened"' again.jsonl) >= $1)); }
 set_pin() { as_user halcmd setp "lathelier.$1" "$2"; }
 start
-as_user ./lathelier-cli assist --link linuxcnc --config assist.json --log again.jsonl > /dev/null 2>&1 &
+as_user "$folder/lathelier-cli" assist --link linuxcnc --config assist.json --log again.jsonl > /dev/null 2>&1 &
 assistant=$!
 soon opened 1
 set_pin diameter-mm 32
@@ -188,5 +224,7 @@ set_pin cutting-speed-m-min 290
 set_pin request 3
 soon is lathelier.answered 3
 is lathelier.n-cor-rpm 3237 || fail "N_cor $(pin lathelier.n-cor-rpm) after the second link"
-kill "$assistant"
+pkill -f "$folder/lathelier-cli"
+for _ in $(seq 50); do pgrep -f "$folder/lathelier-cli" > /dev/null || break; sleep 0.1; done
+pgrep -f "$folder/lathelier-cli" > /dev/null && fail "the assistant does not end"
 echo "All answered."

@@ -81,7 +81,7 @@ TEST(LinkConfig, refuses_what_the_control_states_and_what_would_not_be_used_by_i
         EXPECT_EQ(line(barConfigText(fmt::format("\n\"parameters\": {{\n\"{}\": 30}}", stated))), 3) << stated;
     EXPECT_EQ(line(barConfigText("\n\"parameters\": {\"range_m_min\": [{\"from\": 200, \"to\": 350}]}")), 2);
     EXPECT_EQ(line(configText("\n\"inputs\": {\n\"spindle\": {\"path\": \"spindle.json\"}}")), 6);  // beside modes
-    EXPECT_EQ(line(configText("\n\"inputs\": {\n\"shaft\": {\"path\": \"shaft.json\"}}")), 2);  // the mode
+    EXPECT_EQ(line(configText("\n\"inputs\": {\n\"shaft\": {\"path\": \"shaft.json\"}}")), 2);      // the mode
 }
 
 TEST(LinkConfig, needs_the_highest_speed_of_the_machine)

@@ -194,8 +194,8 @@ void assist(const AssistOptions& options, const link::LinkConfig& config, link::
     link::LinkLoop loop(*transport, assistant, link::loopSettings(config, options.once), tell);
     loop.run(progress);
     progress.check();
-    if (!loop.last()) throw *refused;  // a request that is none
-    const link::Exchange last = *loop.last();
+    if (!loop.last() && refused) throw Error(*refused);  // a request that is none
+    const link::Exchange last = loop.last().value_or(link::Exchange{});
     answer.json = [last] { return link::toJson(last); };
     if (last.reply.state == link::State::Ok) return;
     Values values{{"state", link::textOf(last.reply.state)}, {"number", static_cast<std::int64_t>(last.reply.state)}};

@@ -246,7 +246,7 @@ private:
         };
         if (unknown.empty() && (isNumber ? variables_.isUnknown(found.number) : variables_.isUnknown(found.name)))
             unknown = shown();
-        if (vacant.empty() && isNumber && variables_.isVacant(found.number)) vacant = shown();
+        if (isNumber && variables_.isVacant(found.number)) vacant.push_back(shown());
         return isNumber ? variables_.get(found.number) : variables_.get(found.name);
     }
 
@@ -363,7 +363,7 @@ public:
     bool is_incremental = false;
     bool is_absolute = false;
     std::string unknown;
-    std::string vacant;
+    std::vector<std::string> vacant;
 };
 
 }  // namespace

@@ -65,11 +65,11 @@ struct ExpressionFailure {
 /// Result of an expression. `value` is empty for a single vacant variable (#0).
 struct Computed {
     std::optional<double> value;
-    bool is_incremental = false;  ///< IC(…)
-    bool is_absolute = false;     ///< AC(…)
-    std::string unknown;          ///< the first variable whose value is not known; empty: none
-    std::string vacant;           ///< the first that no program has set here and that counts as 0; empty: none
-    std::size_t end = 0;          ///< number of bytes parsed
+    bool is_incremental = false;      ///< IC(…)
+    bool is_absolute = false;         ///< AC(…)
+    std::string unknown;              ///< the first variable whose value is not known; empty: none
+    std::vector<std::string> vacant;  ///< those that the program has not set and that count as 0
+    std::size_t end = 0;              ///< number of bytes parsed
 };
 
 /// The value of the expression that `text` begins with. Brackets [ ], at most 100 deep;

@@ -82,7 +82,8 @@ void Interpreter::warn(const NoteCode& code, const Word* word, Values values, st
 Computed Interpreter::evaluated(std::string_view text)
 {
     Computed found = compute(text, variables_);
-    if (!found.vacant.empty()) assume(found.vacant, Text{"0"});
+    for (const std::string& name : found.vacant)
+        if (vacant_.insert(name).second) assume(name, Text{"0"});
     return found;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -275,6 +276,7 @@ private:
     bool statedFeedMode_ = false;
     bool statedUnit_ = false;
     std::vector<Assumed> assumed_;
+    std::set<std::string> vacant_;  ///< variables that are listed as assumed
     /// A line of which the angle alone is stated: it ends where the next one, of angle and end, begins.
     struct OpenLine {
         std::size_t block = 0;

@@ -47,7 +47,8 @@ bool Variables::isSet(const std::string& name) const
 
 bool Variables::isVacant(long number) const
 {
-    return number > arithmetic_.last_local && number <= arithmetic_.last_zero && !isSet(number);
+    const bool is_of_program = !isLocal(number) || calls_.size() == 1;  // no argument that a call leaves out
+    return number > 0 && number <= arithmetic_.last_zero && is_of_program && !isSet(number);
 }
 
 bool Variables::isUnknown(long number) const

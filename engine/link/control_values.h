@@ -5,7 +5,8 @@
 // the state to 0; writes N_cor, and reads them once more; then writes the state; then `answered` = the request. All
 // that is written is read back. N_cor holds for the control only where its request is not 0, `answered` equals it, and
 // the state is 1. A control with one bit sets the request to 1 and, after the answer, to 0: the assistant then sets
-// `answered` to 0.
+// `answered` to 0. One that gives up waiting keeps 0 until the heartbeat has changed twice, for the answer may be under
+// way.
 #pragma once
 
 #include <cstdint>
@@ -51,7 +52,7 @@ enum class State {
     OutOfRange = 10,        ///< a value is outside of what is allowed, or the range runs backwards
     NotUnderstood = 11,     ///< a value is no number, or the request none of a request
     Running = 12,           ///< the machine runs
-    Changed = 13,           ///< the values changed while they were answered
+    Changed = 13,           ///< the values or the program changed while they were answered
     AboveSpeedLimit = 14,   ///< N_cor is above the machine's highest speed
     NotComputed = 15,       ///< the response at the tool cannot be computed with these values
     NotWritten = 16,        ///< N_cor read back is another one than was written

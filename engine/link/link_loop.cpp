@@ -83,14 +83,22 @@ void LinkLoop::tell(LinkEvent event, const std::optional<Error>& error)
     tell_(entry);
 }
 
+/// After a loss only where the link holds for one look at the request, or for an exchange.
+void LinkLoop::tellOpened()
+{
+    if (isOpenTold_) return;
+    isOpenTold_ = true;
+    lost_.reset();
+    tell(LinkEvent::Opened);
+}
+
 void LinkLoop::run(const Progress& progress)
 {
-    std::optional<Error> told;  // once, however often it happens again
     while (!progress.stopped()) {
         try {
             open(progress);
-            told.reset();
-            tell(LinkEvent::Opened);
+            isOpenTold_ = false;
+            if (!lost_) tellOpened();
             follow(progress);
             break;
         } catch (const Cancelled&) {
@@ -98,8 +106,8 @@ void LinkLoop::run(const Progress& progress)
         } catch (const Error& error) {
             const bool is_taken = error.code() == errors::linkTaken;
             transport_.close();
-            if (!areSame(told, error)) tell(is_taken ? LinkEvent::Taken : LinkEvent::Lost, error);
-            told = error;
+            if (!areSame(lost_, error)) tell(is_taken ? LinkEvent::Taken : LinkEvent::Lost, error);
+            lost_ = error;
             if (is_taken || settings_.is_once) throw;
         }
         try {
@@ -143,7 +151,9 @@ void LinkLoop::follow(const Progress& progress)
     while (true) {
         progress.check();
         beat();
-        if (poll(progress) && settings_.is_once) return;
+        const bool is_answered = poll(progress);
+        tellOpened();
+        if (is_answered && settings_.is_once) return;
         wait(settings_.poll_ms, progress);
     }
 }
@@ -183,14 +193,14 @@ bool LinkLoop::poll(const Progress& progress)
         const bool is_cleared = transport_.read({stateName}).at(stateName) == static_cast<double>(State::Idle);
         if (!is_cleared) return false;
     }
-    exchange(static_cast<std::int64_t>(request), progress);
-    return answered_ == static_cast<std::int64_t>(request);
+    notUnderstood_.reset();
+    return exchange(static_cast<std::int64_t>(request), progress);
 }
 
 /// A request that is no number of one cannot be answered: its state is told.
 void LinkLoop::refuseRequest(double request)
 {
-    if (notUnderstood_ && (*notUnderstood_ == request || std::isnan(request))) return;
+    if (notUnderstood_ && (*notUnderstood_ == request || (std::isnan(*notUnderstood_) && std::isnan(request)))) return;
     notUnderstood_ = request;
     hold(stateName, static_cast<double>(State::NotUnderstood));
     isIdle_ = false;
@@ -206,24 +216,30 @@ ControlValues LinkLoop::readAll()
     return transport_.read(names);
 }
 
-void LinkLoop::exchange(std::int64_t request, const Progress& progress)
+/// False: the control has taken the request back; the next look takes the other one.
+bool LinkLoop::exchange(std::int64_t request, const Progress& progress)
 {
     const auto begin = std::chrono::steady_clock::now();
     Exchange made;
     made.time = utcNow();
     made.request = request;
     made.read = readAll();
-    if (made.read.at(requestName) != static_cast<double>(request)) return;  // the next look takes the other one
+    if (made.read.at(requestName) != static_cast<double>(request)) return false;
     const std::optional<std::string> program =
         assistant_.needsProgram(made.read) ? transport_.loadedProgram() : std::nullopt;
     made.reply = assistant_.answer(made.read, program, progress);
-    if (!stillStands(made)) return;
-    if (made.reply.state == State::Ok && !write(made)) return;
+    if (!stillStands(made)) return false;
+    if (made.reply.state == State::Ok && !write(made)) return false;
     finish(made.request, made.reply.state);
+    // A control with one bit may have given up and asked anew for other values before `answered` was written.
+    if (made.reply.state == State::Ok && stillStands(made) && made.reply.state != State::Ok)
+        hold(stateName, static_cast<double>(made.reply.state));
     const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
     made.duration_ms = taken.count();
     last_ = std::move(made);
+    tellOpened();
     tell(LinkEvent::Exchanged);
+    return true;
 }
 
 /// False: the control has taken the request back. What the answer rests on and has changed refuses it.

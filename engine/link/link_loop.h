@@ -52,7 +52,7 @@ private:
     void follow(const Progress& progress);
     bool poll(const Progress& progress);
     void beat();
-    void exchange(std::int64_t request, const Progress& progress);
+    bool exchange(std::int64_t request, const Progress& progress);
     void refuseRequest(double request);
     bool stillStands(Exchange& made);
     bool isLoaded(const ProgramBar& program);
@@ -61,6 +61,7 @@ private:
     void hold(const char* name, double value);
     ControlValues readAll();
     void tell(LinkEvent event, const std::optional<Error>& error = {});
+    void tellOpened();
 
     Transport& transport_;
     Assistant& assistant_;
@@ -72,6 +73,8 @@ private:
     std::int64_t heartbeat_ = 0;           ///< as it was written last; 0: not yet
     std::int64_t nextBeat_ms_ = 0;         ///< by the steady clock
     std::optional<Exchange> last_;
+    std::optional<Error> lost_;  ///< that was told; a link that is opened and fails again is not told anew
+    bool isOpenTold_ = false;
 };
 
 /// An exchange of a log answered again.

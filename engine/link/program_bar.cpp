@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "engine/gcode/program.h"
 #include "engine/gcode/toolpath.h"
@@ -11,11 +12,14 @@
 namespace lathelier::link {
 namespace {
 
-/// Place of a feed move that the tool is known to reach.
-bool isTurned(const gcode::Move& move)
+bool isFeed(const gcode::Move& move)
 {
-    return move.kind != gcode::MoveKind::Rapid && move.kind != gcode::MoveKind::Dwell && gcode::isKnown(move.x_mm) &&
-           gcode::isKnown(move.z_mm);
+    return move.kind != gcode::MoveKind::Rapid && move.kind != gcode::MoveKind::Dwell;
+}
+
+bool hasPlace(const gcode::Move& move)
+{
+    return gcode::isKnown(move.x_mm) && gcode::isKnown(move.z_mm);
 }
 
 void requireWhole(const gcode::Toolpath& path)
@@ -24,6 +28,10 @@ void requireWhole(const gcode::Toolpath& path)
     if (gap) throw Error(errors::linkProgramNotWhole, {{"line", gap->line}, {"word", gap->word}});
     for (const gcode::Diagnostic& one : path.diagnostics)
         if (one.is_error && one.error) throw Error(*one.error);
+    // On the machine it may have the value that another program left in it.
+    for (const Assumed& one : path.understanding.assumed)
+        if (one.what.starts_with('#'))
+            throw Error(errors::linkProgramNotWhole, {{"line", one.line}, {"word", one.what}});
 }
 
 }  // namespace
@@ -38,14 +46,27 @@ ProgramBar barOfProgram(const std::string& path, const OfProgram& asked, const P
         const gcode::Toolpath toolpath = gcode::findToolpath(program, {}, {}, progress);
         requireWhole(toolpath);
         bar.assumed = toolpath.understanding.assumed;
+        // Feed across the axis may begin above the bar, in the air: that place states D only where no feed is along it.
+        double begun_mm = 0;
+        bool is_along = false;
         double least = INFINITY;
         double greatest = -INFINITY;
+        const gcode::Move* before = nullptr;  // where a feed move begins
         for (const gcode::Move& move : toolpath.moves) {
-            if (!isTurned(move)) continue;
-            bar.diameter_mm = std::fmax(bar.diameter_mm, 2 * std::fabs(move.x_mm));
-            least = std::fmin(least, move.z_mm);
-            greatest = std::fmax(greatest, move.z_mm);
+            if (move.kind == gcode::MoveKind::Dwell) continue;
+            const gcode::Move* const begin = std::exchange(before, &move);
+            if (!isFeed(move)) continue;
+            const bool is_across = begin && begin->z_mm == move.z_mm;
+            is_along = is_along || !is_across;
+            for (const gcode::Move* place : {begin, &move}) {
+                if (!place || !hasPlace(*place)) continue;
+                double& diameter_mm = is_across && place == begin ? begun_mm : bar.diameter_mm;
+                diameter_mm = std::fmax(diameter_mm, 2 * std::fabs(place->x_mm));
+                least = std::fmin(least, place->z_mm);
+                greatest = std::fmax(greatest, place->z_mm);
+            }
         }
+        if (!is_along) bar.diameter_mm = std::fmax(bar.diameter_mm, begun_mm);
         if (!(greatest >= least) || bar.diameter_mm <= 0) throw Error(errors::linkProgramEmpty, {});
         bar.length_mm = greatest - least + asked.clearance_mm;
         return bar;

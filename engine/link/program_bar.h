@@ -8,9 +8,10 @@
 
 namespace lathelier::link {
 
-/// D: the greatest diameter that a feed move reaches, L: from the least to the greatest
-/// z of feed moves, and the clearance. Errors: those of the reader; linkProgramNotWhole where a word could move the
-/// tool and was not understood, linkProgramEmpty where nothing is turned. Throws Cancelled.
+/// D: the greatest diameter that a feed move reaches, or at which one along the axis begins (any one, where none is
+/// along it); L: from the least to the greatest z of feed moves, where they begin too, and the clearance. Errors: those
+/// of the reader; linkProgramNotWhole where a word could move the tool and was not understood, or a variable is read
+/// that the program does not set; linkProgramEmpty where nothing is turned. Throws Cancelled.
 ProgramBar barOfProgram(const std::string& path, const OfProgram& asked, const Progress& progress);
 
 }  // namespace lathelier::link

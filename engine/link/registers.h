@@ -36,8 +36,8 @@ struct NotHeld {
     double value = 0;  ///< that it cannot hold
 };
 
-/// Of states, heartbeats and the numbers of those requests that the control can state; none: all are held. The
-/// registers that the link needs have to be there.
+/// Of states, heartbeats, N_cor up to `highest_rpm`, and the numbers of those requests that the control can state;
+/// none: all are held. The registers that the link needs have to be there.
 std::optional<NotHeld> narrowRegister(const Registers& registers, double highest_rpm = 1);
 
 }  // namespace lathelier::link

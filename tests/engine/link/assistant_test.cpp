@@ -157,6 +157,30 @@ TEST(Assistant, takes_diameter_and_length_of_the_program_where_the_control_state
     EXPECT_EQ(assistant.answer(values, path + ".not", {}).state, State::ProgramNotUsable);
 }
 
+TEST(Assistant, takes_a_program_where_its_feed_moves_begin_too)
+{
+    const ProgramBar turned =
+        barOfProgram(fileWith("G18 G21 G90 G7\nG97 S500 M3\nG0 X60 Z2\nG1 Z-50 F0.2\nM2\n"), {20}, {});
+    EXPECT_DOUBLE_EQ(turned.diameter_mm, 60);
+    EXPECT_DOUBLE_EQ(turned.length_mm, 72);
+    const ProgramBar faced =
+        barOfProgram(fileWith("G18 G21 G90 G7\nG97 S500 M3\nG0 X60 Z0\nG1 X10 F0.2\nM2\n"), {20}, {});
+    EXPECT_DOUBLE_EQ(faced.diameter_mm, 60);
+    EXPECT_DOUBLE_EQ(faced.length_mm, 20);
+}
+
+TEST(Assistant, takes_nothing_from_a_program_with_a_variable_that_it_does_not_set)
+{
+    const std::string head = "G18 G21 G90 G7\nG97 S500 M3\nG0 X60 Z2\n";
+    for (const char* move : {"G1 Z[#100-50] F0.2", "G1 Z[#5-50] F0.2", "#1=1\nG1 Z[#1+#100-50] F0.2"}) try {
+            barOfProgram(fileWith(head + move + "\nM2\n"), {20}, {});
+            ADD_FAILURE() << move;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), errors::linkProgramNotWhole) << move;
+        }
+    EXPECT_DOUBLE_EQ(barOfProgram(fileWith(head + "#100=3\nG1 Z[#100-53] F0.2\nM2\n"), {20}, {}).length_mm, 72);
+}
+
 TEST(Assistant, takes_nothing_from_a_program_that_was_not_understood)
 {
     const std::string path = fileWith("G18 G21 G90 G7\nG1 X32 Z0 F0.2\nG888 Z-60\nM2\n");

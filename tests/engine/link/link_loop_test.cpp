@@ -312,6 +312,46 @@ TEST(LinkLoop, values_that_change_while_the_speed_is_written_let_it_not_hold)
     }
 }
 
+TEST(LinkLoop, a_control_with_one_bit_that_gave_up_and_asks_anew_takes_no_speed_of_other_values)
+{
+    ControlInMemory control;
+    control.values[stateName] = 2;
+    control.keeps = [&control](const std::string& written) {
+        if (written == stateName && control.values[correctedName] == paperCorrected_rpm)
+            control.values[diameterName] = 60;
+        return true;
+    };
+    control.answered(paperAssistant(paperConfig(1)));
+    EXPECT_FALSE(control.holds());
+    EXPECT_EQ(control.values.at(stateName), static_cast<double>(State::Changed));
+}
+
+TEST(LinkLoop, a_request_that_is_taken_back_before_it_is_answered_is_none)
+{
+    ControlInMemory control;
+    control.values.insert({{answeredName, 1}, {stateName, 0}, {heartbeatName, 0}, {correctedName, 0}});
+    const LinkConfig config = paperConfig(1);
+    Assistant assistant = paperAssistant(config);
+    LinkLoop loop(control, assistant, loopSettings(config, true), {});
+    control.keeps = [&control](const std::string& name) {
+        if (name == heartbeatName) control.values[diameterName] = 33;
+        if (name == correctedName) control.values[requestName] = 2;
+        return true;
+    };
+    loop.run({});
+    ASSERT_TRUE(loop.last());
+    EXPECT_EQ(loop.last()->request, 2);
+}
+
+TEST(LinkLoop, a_link_that_opens_and_fails_again_and_again_is_told_once)
+{
+    ControlInMemory control;
+    control.keeps = [](const std::string& name) { return name != stateName; };
+    const auto log = control.answered(paperAssistant(paperConfig(1)));
+    EXPECT_EQ(countOf(log, LinkEvent::Opened), 1);
+    EXPECT_EQ(countOf(log, LinkEvent::Lost), 1);
+}
+
 TEST(LinkLoop, a_program_that_is_exchanged_while_it_is_answered_is_refused)
 {
     const ScratchFolder scratch;

@@ -11,7 +11,6 @@
 #include "engine/io/json/json_strict.h"
 #include "engine/io/relative_path.h"
 #include "engine/link/link_codes.h"
-#include "engine/stability/task/speed_entry.h"
 #include "engine/stability/task/speed_task.h"
 #include "engine/task/needed.h"
 #include "engine/task/task_fields.h"
@@ -126,9 +125,9 @@ void parametersFrom(const io::JsonCursor& object, project::PanelState& question)
 {
     question.parameters = io::strictValuesOf(object, task::questionFields(stability::speedTask()),
                                              LT_TEXT("Engine", "a parameter of speed"), unknownMember);
-    for (const char* key :
-         {stability::diameterKey, stability::barLengthKey, stability::cuttingSpeedKey, "range_m_min", "speed_rpm"})
-        if (object.member(key))
+    const Values left = machineQuestion(question).parameters;
+    for (const auto& [key, value] : question.parameters)
+        if (const Value* const same = find(left, key); !same || *same != value)
             object.at(key, {}).reject(LT_TEXT("Engine", "nothing: the control states it at each request"));
 }
 

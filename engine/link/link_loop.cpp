@@ -56,6 +56,12 @@ bool areSame(const std::optional<Error>& a, const Error& b)
     return a && a->code() == b.code() && a->values() == b.values();
 }
 
+void refuse(Exchange& made, State state)
+{
+    made.reply.state = state;
+    made.reply.n_cor_rpm.reset();
+}
+
 bool areEqual(const ControlValues& a, const ControlValues& b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
@@ -231,9 +237,10 @@ bool LinkLoop::exchange(std::int64_t request, const Progress& progress)
     if (!stillStands(made)) return false;
     if (made.reply.state == State::Ok && !write(made)) return false;
     finish(made.request, made.reply.state);
-    // A control with one bit may have given up and asked anew for other values before `answered` was written.
-    if (made.reply.state == State::Ok && stillStands(made) && made.reply.state != State::Ok)
-        hold(stateName, static_cast<double>(made.reply.state));
+    if (made.reply.state == State::Ok && isAskedAnew(made)) {
+        refuse(made, State::Changed);
+        hold(stateName, static_cast<double>(State::Changed));
+    }
     const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
     made.duration_ms = taken.count();
     last_ = std::move(made);
@@ -247,16 +254,23 @@ bool LinkLoop::stillStands(Exchange& made)
 {
     const ControlValues again = readAll();
     if (again.at(requestName) != static_cast<double>(made.request)) return false;
-    const auto refuse = [&made](State state) {
-        made.reply.state = state;
-        made.reply.n_cor_rpm.reset();
-    };
     const auto running = again.find(runningName);
     if (!areEqual(again, made.read))
-        refuse(running != again.end() && running->second != 0 ? State::Running : State::Changed);
+        refuse(made, running != again.end() && running->second != 0 ? State::Running : State::Changed);
     else if (made.reply.program && !isLoaded(*made.reply.program))
-        refuse(State::Changed);
+        refuse(made, State::Changed);
     return true;
+}
+
+/// A control with one bit may have given up and asked for other values before `answered` was written. One that takes
+/// the speed may start its spindle at once.
+bool LinkLoop::isAskedAnew(const Exchange& made)
+{
+    ControlValues again = readAll();
+    if (again.at(requestName) != static_cast<double>(made.request)) return false;
+    if (const auto running = made.read.find(runningName); running != made.read.end())
+        again[runningName] = running->second;
+    return !areEqual(again, made.read);
 }
 
 bool LinkLoop::isLoaded(const ProgramBar& program)

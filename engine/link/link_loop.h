@@ -56,6 +56,7 @@ private:
     void refuseRequest(double request);
     bool stillStands(Exchange& made);
     bool isLoaded(const ProgramBar& program);
+    bool isAskedAnew(const Exchange& made);
     bool write(Exchange& made);
     void finish(std::int64_t request, State state);
     void hold(const char* name, double value);
